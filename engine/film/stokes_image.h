@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A finished (or half-finished) picture: mean Stokes vectors and what is known about their error. The common currency of
+// the renderer, the files and the maps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "polarization/stokes.h"
+
+namespace pol {
+
+/// Mean over the samples of each pixel, in the camera frame: x = image right, y = image up, both made transverse to the
+/// pixel's ray, k towards the camera. Row 0 is the top row.
+///
+/// Planes are indexed by wavelength: stokes[w * pixel_count() + y * width + x]. A plane set that the picture does not have
+/// (a foreign file, a scene without it) is empty. `residual` and `tail` have one plane per wavelength, or a single
+/// plane if all wavelengths share one tree (plane_of).
+struct StokesImage {
+    int width = 0;
+    int height = 0;
+    std::vector<double> wavelengths_nm;  ///< ascending
+    std::vector<Stokes<double>> stokes;
+    /// Share of the pixel's throughput that was not traced, 0 to 1; the missing coherence matrix is positive
+    /// semidefinite with trace at most residual * brightest (performance.md 3.3).
+    std::vector<double> residual;
+    /// Share that was estimated by one random path instead; the estimate and the truth both lie in 0..tail * brightest.
+    std::vector<double> tail;
+    /// Samples that each pixel has, one plane; samples whose arithmetic failed, one plane.
+    std::vector<std::uint32_t> samples;
+    std::vector<std::uint32_t> failures;
+    /// Trace bound of the light that any path can bring, per wavelength: L_max, or 2 L_max with polarized emitters.
+    std::vector<double> brightest;
+    /// Header attributes as text, without the "polariscope." prefix: scene_hash, frame, settings, ...
+    std::map<std::string, std::string> attributes;
+
+    [[nodiscard]] std::size_t pixel_count() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+    [[nodiscard]] std::size_t pixel(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] const Stokes<double>& at(std::size_t wavelength, std::size_t pixel_index) const {
+        return stokes[wavelength * pixel_count() + pixel_index];
+    }
+    /// Value of a per-wavelength plane set that may be shared between wavelengths or absent (0).
+    [[nodiscard]] double plane_value(const std::vector<double>& planes, std::size_t wavelength, std::size_t pixel_index) const {
+        if (planes.empty()) return 0.0;
+        return planes.size() == pixel_count() ? planes[pixel_index] : planes[wavelength * pixel_count() + pixel_index];
+    }
+};
+
+}  // namespace pol

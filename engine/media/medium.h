@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What fills a solid, as the user writes it: a closed set.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "core/vec.h"
+#include "core/source_place.h"
+#include "spectrum/refractive_index.h"
+#include "spectrum/spectrum.h"
+
+namespace pol {
+
+/// Absorption coefficient alpha in 1/scene unit: power falls as exp(-alpha length). The spectrum is alpha(lambda).
+using Absorption = Spectrum;
+
+/// Glass, liquid, air. The extinction k of the index, if it has one, adds 4 pi k / lambda to the absorption.
+struct IsotropicMedium {
+    RefractiveIndex index = ConstantIndex{};
+    Absorption absorption = ConstantSpectrum{0.0};
+};
+
+enum class AxisSpace { object, world };
+
+/// Uniaxial crystal. `absorption_o` is for E perpendicular to the axis, `absorption_e` for E along it.
+struct UniaxialMedium {
+    RefractiveIndex ordinary = ConstantIndex{};
+    RefractiveIndex extraordinary = ConstantIndex{};
+    DVec3 axis{0.0, 0.0, 1.0};  ///< optic axis; need not be unit
+    AxisSpace axis_space = AxisSpace::object;
+    Absorption absorption_o = ConstantSpectrum{0.0};
+    Absorption absorption_e = ConstantSpectrum{0.0};
+};
+
+/// Metal: complex index, nothing is followed into it.
+struct ConductorMedium {
+    RefractiveIndex index = ConstantIndex{};
+};
+
+struct Medium {
+    std::string name;
+    std::variant<IsotropicMedium, UniaxialMedium, ConductorMedium> matter;
+    SourcePlace place{};
+};
+
+}  // namespace pol
