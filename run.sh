@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# From a bare Debian 12 to pictures: installs what is missing, builds, renders. See --help.
+set -euo pipefail
+root=$(cd "$(dirname "$0")" && pwd)
+
+usage() {
+    cat <<'END'
+Usage: ./run.sh [SCENE]
+
+Installs the Debian packages that are missing (needs root or sudo only for that), builds build/release/polariscope and
+renders SCENE, by default assets/scenes/paper-calcite-unpolarized.yaml, into ./out:
+  NAME.exr              Stokes vectors at 380:780:20 nm with the residual, for any EXR viewer
+  NAME-color.png        color, the spectrum seen by the CIE 1931 observer
+  NAME-intensity.png    and -dop, -ellipticity, -azimuth, -residual: maps at 580 nm
+A second call installs, builds and renders only what is new. JOBS=N sets the number of compile jobs.
+
+Examples:
+  ./run.sh
+  ./run.sh assets/scenes/fresnel-rhomb.yaml
+END
+}
+
+case ${1-} in
+-h | --help) usage && exit 0 ;;
+-*) usage >&2 && exit 2 ;;
+esac
+[ $# -le 1 ] || { usage >&2 && exit 2; }
+
+scene=$(realpath -- "${1-$root/assets/scenes/paper-calcite-unpolarized.yaml}")
+# shellcheck source=tests/support/setup.sh
+. "$root/tests/support/setup.sh"
+[ -f "$scene" ] || { say "run.sh: no such scene: $scene" >&2 && exit 3; }
+
+mkdir -p "$root/build" "$root/out"
+install_packages run
+configure release || fail "CMake could not configure"
+cmake --build "$root/build/release" --target polariscope ${JOBS:+-j "$JOBS"} -- --quiet || fail "the build failed"
+
+program=$root/build/release/polariscope
+name=$(basename "$scene")
+name=$root/out/${name%.*}
+
+# A picture is new enough if it is younger than the program, the scene's folder and all that is shipped in assets/.
+out_of_date() {
+    [ ! -f "$1" ] || [ -n "$(find "$program" "$(dirname "$scene")" "$root/assets" -newer "$1" -print -quit)" ]
+}
+
+if out_of_date "$name.exr"; then
+    "$program" render "$scene" -o "$name.exr" --wavelengths 380:780:20
+fi
+# draw MAP [OPTION...]
+draw() {
+    if out_of_date "$name-$1.png"; then
+        "$program" maps "$name.exr" --map "$1" -o "$name-$1.png" "${@:2}"
+    fi
+    say "$name-$1.png"
+}
+say "$name.exr"
+draw color
+for map in intensity dop ellipticity azimuth residual; do
+    draw "$map" --wavelength 580
+done

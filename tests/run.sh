@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Every check, from a bare Debian 12: installs what is missing, builds, tests. See --help.
+set -uo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+usage() {
+    cat <<'END'
+Usage: tests/run.sh [STEP...]
+
+Steps, all by default, in this order:
+  release   build with warnings as errors; all tests: unit, physics, include rules, formatting
+  tidy      clang-tidy (.clang-tidy) over engine/ and viewer/
+  asan      AddressSanitizer and UndefinedBehaviorSanitizer over every test but those labelled slow (whole renders
+            that take minutes there; they run in release)
+  tsan      ThreadSanitizer over the tests labelled threads (render, film)
+Prints what each step took, then "N passed, N failed", and exits 1 if anything failed. A build that breaks, or a step that
+does not end in time, counts as one failure. JOBS=N sets the number of jobs, 2 by default.
+END
+}
+
+steps=("$@")
+[ $# -gt 0 ] || steps=(release tidy asan tsan)
+for step in "${steps[@]}"; do
+    case $step in
+    release | tidy | asan | tsan) ;;
+    -h | --help) usage && exit 0 ;;
+    *) usage >&2 && exit 2 ;;
+    esac
+done
+
+# shellcheck source=tests/support/setup.sh
+. "$root/tests/support/setup.sh"
+jobs=${JOBS:-2}
+passed=0
+failed=0
+
+# step NAME COMMAND...: runs one step, says how long it took and whether it held. A step that fails counts as one
+# failure; ctest's own failures are counted by run_tests instead.
+step() {
+    local name=$1 begin=$SECONDS status=0
+    shift
+    say "== $name"
+    "$@" || status=$?
+    say "== $name: $([ $status -eq 0 ] && echo ok || echo FAILED), $((SECONDS - begin)) s"
+    return $status
+}
+
+build() {
+    configure "$1" && cmake --build "$root/build/$1" -j "$jobs" --target "${@:2}" -- --quiet && return 0
+    failed=$((failed + 1))
+    return 1
+}
+
+# run_tests PRESET SECONDS [CTEST OPTION...]: counts what CTest counts. Skipped tests are neither passed nor failed.
+run_tests() {
+    local report=$root/build/$1/ctest.xml status=0 summary total bad skipped
+    rm -f "$report"
+    timeout --kill-after=30 "$2" "${wrap[@]}" ctest --test-dir "$root/build/$1" -j "$jobs" --output-on-failure --no-tests=error \
+        --output-junit "$report" "${@:3}" </dev/null >"$root/build/$1/ctest.log" 2>&1 || status=$?
+    if [ ! -f "$report" ]; then
+        tail -n 40 "$root/build/$1/ctest.log"
+        say "ctest did not finish (status $status; 124 means out of time)"
+        failed=$((failed + 1))
+        return 1
+    fi
+    summary=$(tr '\n\t' '  ' <"$report" | grep -o '<testsuite [^>]*>' | head -n 1)
+    count() { sed -E "s/.* $1=\"([0-9]+)\".*/\1/" <<<"$summary"; }
+    total=$(count tests) bad=$(count failures) skipped=$(($(count skipped) + $(count disabled)))
+    passed=$((passed + total - bad - skipped))
+    failed=$((failed + bad))
+    [ $status -eq 0 ] || grep -v ' Passed  ' "$root/build/$1/ctest.log"
+    say "$1: $((total - bad - skipped)) of $total tests passed, $bad failed, $skipped skipped"
+    return $status
+}
+
+# Only what the build compiles: clang-tidy would guess the flags of other files.
+tidy() {
+    local database=$root/build/release/compile_commands.json
+    grep -o '"file": "[^"]*"' "$database" | cut -d '"' -f 4 | grep -E "^$root/(engine|viewer)/" | sort -u |
+        xargs -r -d '\n' -P "$jobs" -n 1 clang-tidy --quiet -p "$root/build/release" 2>/dev/null || {
+        failed=$((failed + 1))
+        return 1
+    }
+    passed=$((passed + 1))
+}
+
+begin=$SECONDS
+mkdir -p "$root/build"
+step "packages" install_packages run test
+
+# Address space randomization wider than the sanitizers of GCC 12 expect makes them abort on some kernels.
+unrandomized=()
+setarch "$(uname -m)" -R true 2>/dev/null && unrandomized=(setarch "$(uname -m)" -R)
+export UBSAN_OPTIONS=print_stacktrace=1
+# Everything a test allocates is freed again; Embree, TBB and OpenEXR are clean too, so leaks are looked for.
+export ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1
+export TSAN_OPTIONS=second_deadlock_stack=1
+
+for name in "${steps[@]}"; do
+    wrap=()
+    case $name in
+    release)
+        step "build release" build release all && step "test release" run_tests release 1200
+        ;;
+    tidy)
+        step "clang-tidy" tidy
+        ;;
+    asan)
+        wrap=("${unrandomized[@]}")
+        step "build asan" build asan all && step "test asan" run_tests asan 900 --label-exclude slow
+        ;;
+    tsan)
+        wrap=("${unrandomized[@]}")
+        step "build tsan" build tsan polariscope_thread_tests &&
+            step "test tsan" run_tests tsan 600 --label-regex threads
+        ;;
+    esac
+done
+
+say "all steps: $((SECONDS - begin)) s"
+say "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

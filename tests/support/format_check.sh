@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Names every C++ file that clang-format 14 would change. Usage: format_check.sh ROOT
+# To mend: clang-format-14 -i FILE
+set -euo pipefail
+cd "$1"
+folders=()
+for folder in engine viewer tests; do [ -d "$folder" ] && folders+=("$folder"); done
+find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | {
+    status=0
+    while IFS= read -r -d '' file; do
+        clang-format-14 "$file" | cmp -s - "$file" || {
+            echo "$file: not formatted; run clang-format-14 -i $file"
+            status=1
+        }
+    done
+    exit $status
+}
