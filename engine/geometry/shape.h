@@ -14,12 +14,12 @@ namespace pol {
 /// Round brilliant: table up (+z), girdle plane at z = 0. Lengths follow from the girdle diameter.
 struct BrilliantShape {
     double diameter = 2.0;
-    double table_ratio = 0.57;                       ///< table diameter / girdle diameter
-    double crown_angle = 0.6021385919380437;         ///< 34.5 degrees
-    double pavilion_angle = 0.7112093345185846;      ///< 40.75 degrees
-    double girdle_ratio = 0.03;                      ///< girdle thickness / diameter
-    double star_length = 0.55;                       ///< of the way from table to girdle, seen from above
-    double lower_half_length = 0.77;                 ///< of the way from girdle to culet
+    double table_ratio = 0.57;                   ///< table diameter / girdle diameter
+    double crown_angle = 0.6021385919380437;     ///< 34.5 degrees
+    double pavilion_angle = 0.7112093345185846;  ///< 40.75 degrees
+    double girdle_ratio = 0.03;                  ///< girdle thickness / diameter
+    double star_length = 0.55;                   ///< of the way from table to girdle, seen from above
+    double lower_half_length = 0.77;             ///< of the way from girdle to culet
 };
 
 /// Axis-aligned box centred on the origin. A plate or a cube is a box.
@@ -43,7 +43,7 @@ struct PrismShape {
 /// Fresnel rhomb: parallelogram in the xy plane extruded along z. Light enters along +x through the face normal to
 /// x, meets the two long faces at `angle`, and leaves along +x. `aperture` is the height of the entrance face.
 struct RhombShape {
-    double angle = 0.0;     ///< angle of incidence on the long faces
+    double angle = 0.0;  ///< angle of incidence on the long faces
     double aperture = 1.0;
     double height = 1.0;
 };
@@ -67,7 +67,7 @@ struct MeshShape {
     std::string path;
 };
 
-using Shape = std::variant<BrilliantShape, BoxShape, ExtrusionShape, PrismShape, RhombShape, SphereShape, RectangleShape,
-                           DiskShape, MeshShape>;
+using Shape = std::variant<BrilliantShape, BoxShape, ExtrusionShape, PrismShape, RhombShape, SphereShape,
+                           RectangleShape, DiskShape, MeshShape>;
 
 }  // namespace pol

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How two solids lie to each other. Slow and careful: used when a scene is checked, never while rays fly.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "geometry/half_space_solid.h"
+#include "geometry/mesh.h"
+#include "geometry/sphere.h"
+
+namespace pol {
+
+/// A solid of any kind; a Mesh must be closed. Pointers are borrowed for the call.
+using SolidRef = std::variant<const HalfSpaceSolid*, const Sphere*, const Mesh*>;
+
+enum class Arrangement {
+    disjoint,
+    touching,      ///< apart by no more than the tolerance, interiors apart
+    a_contains_b,  ///< b within a; common boundary allowed
+    b_contains_a,
+    overlapping,  ///< some volume in common, some not
+};
+
+/// How `a` and `b` lie to each other. Lengths count as zero below `tolerance` times the larger solid's radius.
+/// Equal solids: a_contains_b. Methods: convex pairs by separating axes (face normals and edge cross products;
+/// Gottschalk et al., OBBTree, SIGGRAPH 1996, sec. 5), spheres by distance, non-convex meshes by triangle pairs
+/// and containment.
+Arrangement arrangement(const SolidRef& a, const SolidRef& b, double tolerance = 1e-9);
+
+struct FacetPair {
+    int a = 0;
+    int b = 0;
+};
+
+/// Facets of `a` and `b` that lie in one plane (within `tolerance`, as above), face each other and share an area.
+/// A sphere has none.
+std::vector<FacetPair> touching_facets(const SolidRef& a, const SolidRef& b, double tolerance = 1e-9);
+
+}  // namespace pol
