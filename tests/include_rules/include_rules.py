@@ -56,6 +56,7 @@ LIBRARIES = {
     "fmt/": ["io/", "verify/", "cli/"],
     "CLI/": ["cli/"],
     "fcntl.h": ["io/", "cli/"],
+    "signal.h": ["io/", "cli/"],
     "unistd.h": ["io/", "cli/"],
     "sys/": ["io/", "cli/"],
 }
