@@ -27,7 +27,7 @@ case ${1-} in
 esac
 [ $# -le 1 ] || { usage >&2 && exit 2; }
 
-scene=$(realpath -- "${1-$root/assets/scenes/paper-calcite-unpolarized.yaml}")
+scene=$(realpath -m -- "${1-$root/assets/scenes/paper-calcite-unpolarized.yaml}")
 # shellcheck source=tests/support/setup.sh
 . "$root/tests/support/setup.sh"
 [ -f "$scene" ] || { say "run.sh: no such scene: $scene" >&2 && exit 3; }

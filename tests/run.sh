@@ -10,7 +10,7 @@ Usage: tests/run.sh [STEP...]
 
 Steps, all by default, in this order:
   release   build with warnings as errors; all tests: unit, physics, include rules, formatting
-  tidy      clang-tidy (.clang-tidy) over engine/ and viewer/
+  tidy      clang-tidy (.clang-tidy) over engine/ and viewer/; needs the release build
   asan      AddressSanitizer and UndefinedBehaviorSanitizer over every test but those labelled slow (whole renders
             that take minutes there; they run in release)
   tsan      ThreadSanitizer over the tests labelled threads (render, film)
@@ -67,9 +67,10 @@ run_tests() {
     summary=$(tr '\n\t' '  ' <"$report" | grep -o '<testsuite [^>]*>' | head -n 1)
     count() { sed -E "s/.* $1=\"([0-9]+)\".*/\1/" <<<"$summary"; }
     total=$(count tests) bad=$(count failures) skipped=$(($(count skipped) + $(count disabled)))
+    [ $status -eq 0 ] || [ "$bad" -gt 0 ] || bad=1
     passed=$((passed + total - bad - skipped))
     failed=$((failed + bad))
-    [ $status -eq 0 ] || grep -v ' Passed  ' "$root/build/$1/ctest.log"
+    [ $status -eq 0 ] || grep -vE ' Passed  |^    Start ' "$root/build/$1/ctest.log"
     say "$1: $((total - bad - skipped)) of $total tests passed, $bad failed, $skipped skipped"
     return $status
 }
