@@ -3,11 +3,13 @@
 // shapes.h turns the flat-faced ones into meshes.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/vec.h"
+#include "geometry/mesh.h"
 
 namespace pol {
 
@@ -62,9 +64,10 @@ struct DiskShape {
     double radius = 1.0;
 };
 
-/// OBJ, PLY, STL or glTF file; `path` as resolved against the scene file.
+/// OBJ, PLY, STL or glTF file; `path` as resolved against the scene file, `mesh` what was read from it.
 struct MeshShape {
     std::string path;
+    std::shared_ptr<const Mesh> mesh;
 };
 
 using Shape = std::variant<BrilliantShape, BoxShape, ExtrusionShape, PrismShape, RhombShape, SphereShape,

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects of the scene in world space, ready to be hit: solids that light enters, surfaces that end or change a ray.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/vec.h"
+#include "geometry/half_space_solid.h"
+#include "geometry/mesh.h"
+#include "geometry/open_surface.h"
+#include "geometry/sphere.h"
+#include "optics/elements.h"
+#include "plan/emitter.h"
+
+namespace pol {
+
+/// A facet of a solid, or a surface, that a ray has just left and cannot hit again at once.
+struct Left {
+    int body = -1;
+    int facet = -1;
+};
+
+/// Shape that Embree intersects; the index is the mesh's place in its body, see Region::caster.
+struct MeshBody {
+    Mesh mesh;
+    bool closed = false;
+};
+
+/// Part of a solid's facet that coincides with a facet of another solid: one interface instead of two.
+struct Contact {
+    int other_solid = -1;
+    int other_facet = -1;
+};
+
+/// A solid that is filled with a medium.
+struct Solid {
+    std::string name;
+    int object = -1;  ///< index into Scene::objects
+    int medium = -1;  ///< index into Plan::media
+    std::optional<int> priority;
+    std::variant<HalfSpaceSolid, Sphere, MeshBody> shape;
+    std::vector<std::vector<Contact>> contacts;  ///< by facet; empty if the solid touches nothing
+};
+
+struct EmitterRole {
+    int emitter = -1;  ///< index into Plan::emitters
+};
+struct SheetRole {
+    Sheet sheet;  ///< axes in world space
+};
+struct AbsorberRole {};
+
+/// A surface that swallows, emits or polarizes.
+struct Surface {
+    std::string name;
+    int object = -1;
+    std::variant<OpenSurface, HalfSpaceSolid, Sphere, MeshBody> shape;
+    std::variant<EmitterRole, SheetRole, AbsorberRole> role;
+};
+
+}  // namespace pol

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Camera rays and the frame in which a pixel's coherence matrix is written.
+#pragma once
+
+#include <cmath>
+
+#include "core/vec.h"
+#include "scene/camera.h"
+
+namespace pol {
+
+/// A backward ray and its polarization frame: x = unit(direction x up), y = x rotated so that (x, y, -direction) is
+/// right-handed: image right and image up, seen by the receiver; the light travels along -direction.
+struct CameraRay {
+    DVec3 origin{};
+    DVec3 direction{};
+    DVec3 x{};
+    DVec3 y{};
+};
+
+/// Rays through a picture of width x height square pixels, row 0 at the top.
+class CameraModel {
+public:
+    CameraModel() = default;
+
+    /// Requires: position != target, up not parallel to the view direction, positive size (checked by scene/check).
+    CameraModel(const Camera& camera, int width, int height)
+        : projection_(camera.projection), origin_(camera.position), up_(unit(camera.up)) {
+        forward_ = unit(camera.target - camera.position);
+        right_ = unit(cross(forward_, up_));
+        above_ = cross(right_, forward_);
+        const double picture_width =
+            projection_ == Projection::perspective ? 2.0 * std::tan(0.5 * camera.horizontal_fov) : camera.width;
+        pixel_ = picture_width / static_cast<double>(width);
+        center_x_ = 0.5 * static_cast<double>(width);
+        center_y_ = 0.5 * static_cast<double>(height);
+    }
+
+    /// Ray through picture coordinates (x, y) in pixels from the top left corner; (0.5, 0.5) is the centre of the first pixel.
+    [[nodiscard]] CameraRay ray(double x, double y) const {
+        const DVec3 offset = right_ * ((x - center_x_) * pixel_) + above_ * ((center_y_ - y) * pixel_);
+        CameraRay ray;
+        if (projection_ == Projection::perspective) {
+            ray.origin = origin_;
+            ray.direction = unit(forward_ + offset);
+        } else {
+            ray.origin = origin_ + offset;
+            ray.direction = forward_;
+        }
+        const DVec3 across = cross(ray.direction, up_);
+        ray.x = length2(across) > 0.0 ? unit(across) : right_;  // looking straight along `up`: any x will do
+        ray.y = cross(ray.x, ray.direction);
+        return ray;
+    }
+
+    [[nodiscard]] Projection projection() const { return projection_; }
+
+private:
+    Projection projection_ = Projection::perspective;
+    DVec3 origin_{};
+    DVec3 up_{};
+    DVec3 forward_{};
+    DVec3 right_{};
+    DVec3 above_{};
+    double pixel_ = 0.0;
+    double center_x_ = 0.0;
+    double center_y_ = 0.0;
+};
+
+}  // namespace pol

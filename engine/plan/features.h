@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene needs of the tracer and what was left out, with the reason: shown by `polariscope plan`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pol {
+
+/// One line of the plan's account.
+struct Feature {
+    std::string name;    ///< "dispersion", "crystals", ...
+    bool needed = false;
+    std::string reason;  ///< by which object, or why not
+};
+
+/// Flags that choose the kernel, and the account for the user.
+struct Features {
+    bool anisotropic = false;  ///< some region holds a crystal
+    bool absorbing = false;    ///< some region absorbs along the ray
+    bool meshes = false;       ///< an Embree scene is built
+    std::string kernel;        ///< name of the template instance that will run
+    std::vector<Feature> list;
+};
+
+}  // namespace pol

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// One backward step: what a boundary or a thin sheet makes of a branch. The interface is solved as if the camera ray were
+// light; light going the other way is transformed by the transpose (physics.md 2.8).
+#pragma once
+
+#include <cmath>
+
+#include "optics/boundary_solver.h"
+#include "optics/elements.h"
+#include "optics/fresnel.h"
+#include "tracer/node.h"
+
+namespace pol {
+
+/// Children of a branch at a boundary. Their origin, region, left facet, depth and id are the caller's to set.
+struct Branches {
+    Node node[4];
+    Side side[4]{};
+    int count = 0;
+    double absorbed = 0.0;  ///< weight that a conductor swallows
+    bool valid = true;      ///< false: the ray brings no energy to the boundary, a numerical failure
+};
+
+/// Isotropic medium to isotropic medium or conductor. `normal` is unit and leans along the ray.
+inline Branches cross_isotropic_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
+                                         const DVec3& normal) {
+    Branches out;
+    const DVec3& d = node.wave.ray;
+    const double cos_1 = dot(normal, d);
+    if (!(cos_1 > 0.0)) {
+        out.valid = false;
+        return out;
+    }
+    const double q1 = from.n * cos_1;
+
+    // s across the plane of incidence; at normal incidence there is none, and any s across the ray will do.
+    const DVec3 across = cross(normal, d);
+    const double sin2 = length2(across);
+    const DVec3 s = sin2 > 0.0 ? across / std::sqrt(sin2) : node.wave.field[0];
+    const DVec3 p = cross(d, s);
+    const Throughput m = in_basis(node.throughput, node.wave.field, s, p);
+
+    const auto add = [&](Side side, const DVec3& ray, double n, const Complex<double>& a_s, const Complex<double>& a_p) {
+        out.side[out.count] = side;
+        Node& child = out.node[out.count++];
+        child.wave.kind = WaveKind::pair;
+        child.wave.ray = ray * (1.5 - 0.5 * length2(ray));  // one Newton step towards |ray| = 1: no drift over 1e5 bounces
+        child.wave.k = child.wave.ray * n;
+        child.wave.field[0] = s;
+        child.wave.field[1] = cross(child.wave.ray, s);
+        for (int row = 0; row < 2; ++row) {
+            child.throughput.m[row][0] = m.m[row][0] * a_s;
+            child.throughput.m[row][1] = m.m[row][1] * a_p;
+        }
+        child.weight = child.throughput.weight();
+    };
+
+    if (to.kind == MediumKind::conductor) {
+        const auto f = conductor_fresnel(from.n, to.n, to.kappa, q1);
+        add(Side::reflected, d - normal * (2.0 * cos_1), from.n, f.r_s, f.r_p);
+        out.absorbed = 0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * f.absorbed_s +
+                              (norm2(m.m[0][1]) + norm2(m.m[1][1])) * f.absorbed_p);
+        return out;
+    }
+    const auto f = fresnel(from.n, to.n, q1);
+    const bool reflects = f.r_s != Complex<double>(0.0) || f.r_p != Complex<double>(0.0);
+    if (reflects) add(Side::reflected, d - normal * (2.0 * cos_1), from.n, f.r_s, f.r_p);
+    if (!f.total) {
+        const DVec3 along = d - normal * cos_1;
+        const DVec3 ray = from.n == to.n ? d : (along * from.n + normal * f.q2) / to.n;
+        add(Side::transmitted, ray, to.n, Complex<double>(f.t_s), Complex<double>(f.t_p));
+    }
+    return out;
+}
+
+/// Any pair of media, through the general solver.
+inline Branches cross_crystal_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
+                                       const DVec3& normal) {
+    Branches out;
+    const BoundaryResponse<double> response = respond(from, to, normal, node.wave);
+    if (!response.incident) {
+        out.valid = false;
+        return out;
+    }
+    const bool pair = response.incident_modes == 2;
+    const Throughput m = pair ? in_basis(node.throughput, node.wave.field, response.incident_field[0], response.incident_field[1])
+                              : node.throughput;
+    for (int i = 0; i < response.outgoing_count; ++i) {
+        const OutgoingWave<double>& wave = response.outgoing[static_cast<std::size_t>(i)];
+        Node& child = out.node[out.count];
+        out.side[out.count++] = wave.side;
+        child.wave = wave.wave;
+        for (int row = 0; row < 2; ++row)
+            for (int mode = 0; mode < wave.wave.mode_count(); ++mode) {
+                const auto& a = wave.amplitude[static_cast<std::size_t>(mode)];
+                child.throughput.m[row][mode] = m.m[row][0] * a[0];
+                if (pair) child.throughput.m[row][mode] += m.m[row][1] * a[1];
+            }
+        child.weight = child.throughput.weight();
+    }
+    if (response.absorbs) {
+        // absorbed = sum over camera rows of m A m^H / 2, with the transpose of A since m acts backward
+        Complex<double> sum;
+        for (int row = 0; row < 2; ++row)
+            for (std::size_t i = 0; i < (pair ? 2U : 1U); ++i)
+                for (std::size_t j = 0; j < (pair ? 2U : 1U); ++j)
+                    sum += m.m[row][i] * response.absorption[j][i] * conj(m.m[row][j]);
+        out.absorbed = 0.5 * sum.re;
+    }
+    return out;
+}
+
+/// Straight through an ideal sheet in an isotropic medium.
+inline Node through_sheet(const Node& node, const Sheet& sheet, const Left& left) {
+    Node child = node;
+    child.left = left;
+    const auto jones = sheet_jones(sheet, -node.wave.ray, node.wave.field[0], node.wave.field[1]);
+    for (int row = 0; row < 2; ++row)
+        for (std::size_t column = 0; column < 2; ++column)
+            child.throughput.m[row][column] =
+                node.throughput.m[row][0] * jones[0][column] + node.throughput.m[row][1] * jones[1][column];
+    child.weight = child.throughput.weight();
+    return child;
+}
+
+}  // namespace pol

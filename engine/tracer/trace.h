@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernel: one sample of one pixel, followed backward as a tree that is cut by energy (performance.md 3.3, 4).
+//
+// Every open branch carries the matrix that takes light on it to the camera, and the weight w = tr(M^H M)/2 of that
+// matrix. At a lossless interface the weights of the children add to the parent's, so at every moment
+//     resolved + absorbed + open = 1,
+// and the light still missing from the pixel is positive semidefinite with trace at most open * L_max. The heaviest
+// branch is followed first until the open weight falls below the target. Where the node budget ends first, one
+// random path, chosen with probability proportional to weight, estimates the rest without bias.
+//
+// The picture and its explanation run this same function with different observers (tracer/observers.h).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/random.h"
+#include "optics/elements.h"
+#include "optics/wave.h"
+#include "plan/plan.h"
+#include "tracer/crossing.h"
+#include "tracer/leaf_light.h"
+#include "tracer/node.h"
+#include "tracer/node_queue.h"
+#include "tracer/step.h"
+
+namespace pol {
+
+/// One sample to trace.
+struct TraceTask {
+    CameraRay ray{};
+    int group = 0;   ///< index into Plan::groups
+    int region = 0;  ///< where the camera is
+    RandomKey key{};
+};
+
+/// What became of the unit weight of a sample, and the work it took.
+struct TraceResult {
+    double resolved = 0.0;
+    double absorbed = 0.0;
+    double residual = 0.0;  ///< not traced
+    double tail = 0.0;      ///< estimated by one random path
+    std::uint32_t nodes = 0;
+    std::uint32_t failures = 0;
+    bool cancelled = false;
+};
+
+/// Largest |resolved + absorbed + residual + tail - 1| that counts as rounding. A tree of 1e5 nodes of a few dozen
+/// operations each stays below 1e-10 even if every rounding error had the same sign.
+constexpr double energy_tolerance = 1e-9;
+
+/// Steps after which a random tail is given up; its weight is then residual.
+constexpr int tail_limit = 1 << 16;
+
+/// Traces samples of one plan; keeps its memory between samples. Not for sharing between threads.
+/// anisotropic, absorbing: what the plan needs (Features); the rest is not compiled in.
+template <bool anisotropic, bool absorbing, class Observer>
+class Tracer {
+public:
+    /// The plan must outlive the tracer.
+    Tracer(const Plan& plan, Observer& observer) : plan_(plan), observer_(observer) {}
+
+    /// Adds the light of the sample to `sums`, one Stokes vector per wavelength of the group.
+    TraceResult trace(const TraceTask& task, std::span<Stokes<double>> sums) {
+        group_ = &plan_.groups[static_cast<std::size_t>(task.group)];
+        group_index_ = task.group;
+        sums_ = sums;
+        result_ = {};
+        next_id_ = 0;
+        camera_n_ = medium_of(task.region).dielectric.n;
+        queue_.clear();
+        open_root(task);
+
+        const double target = plan_.settings.residual;
+        const auto budget = static_cast<std::uint32_t>(plan_.settings.node_budget);
+        LeafReason cut = LeafReason::residual;
+        while (!queue_.empty() && queue_.open_weight() > target) {
+            if (result_.nodes >= budget) {
+                cut = LeafReason::node_budget;
+                break;
+            }
+            if ((result_.nodes & 255U) == 255U && observer_.cancelled()) {
+                result_.cancelled = true;
+                return result_;
+            }
+            follow(queue_.pop());
+            for (const Node& child : children_) queue_.push(child);
+        }
+        const double open = close_queue(cut);
+        if (cut == LeafReason::node_budget)
+            follow_tail(task, open);
+        else
+            result_.residual += open;
+
+        const double total = result_.resolved + result_.absorbed + result_.residual + result_.tail;
+        if (!(std::abs(total - 1.0) <= energy_tolerance)) ++result_.failures;
+        return result_;
+    }
+
+private:
+    [[nodiscard]] const Region& region(int index) const { return plan_.regions[static_cast<std::size_t>(index)]; }
+    [[nodiscard]] const MediumAt& medium_of(int region_index) const {
+        return group_->media[static_cast<std::size_t>(region(region_index).medium)];
+    }
+
+    void open_root(const TraceTask& task) {
+        Node root;
+        root.origin = task.ray.origin;
+        root.wave.ray = task.ray.direction;
+        root.wave.k = task.ray.direction * camera_n_;
+        root.wave.field[0] = task.ray.x;
+        root.wave.field[1] = task.ray.y;
+        root.throughput = Throughput::identity();
+        root.weight = 1.0;
+        root.region = task.region;
+        root.id = next_id_++;
+        observer_.opened(root, -1, Interaction::camera);
+        queue_.push(root);
+    }
+
+    void leaf(const Node& node, LeafReason reason, std::span<const Stokes<double>> light = {}) {
+        observer_.ended(node, reason, light);
+    }
+
+    /// Follows a ray to its next interface; leaves go into the sums, branches into children_.
+    void follow(Node node) {
+        ++result_.nodes;
+        children_.clear();
+        const int depth_limit = plan_.settings.depth.value_or(-1);
+        for (;;) {
+            const Region& here = region(node.region);
+            const Crossing crossing = next_crossing(plan_, here, node.origin, node.wave.ray, node.left);
+            if constexpr (absorbing) {
+                if (!attenuate(node, crossing)) return;
+            }
+            if (crossing.body < 0) {
+                if (here.members.empty()) return end_on_background(node);
+                return fail(node);  // a solid must have a way out
+            }
+            node.origin += node.wave.ray * crossing.distance;
+            observer_.reached(node, crossing);
+            if (!plan_.is_solid(crossing.body)) return meet_surface(node, crossing, depth_limit);
+
+            const FarSide far = far_side(plan_, node.region, crossing, node.origin);
+            if (far.region < 0) return fail(node);
+            if (region(far.region).owner != here.owner) {
+                if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);
+                const double sense = dot(crossing.normal, node.wave.ray) < 0.0 ? -1.0 : 1.0;
+                return meet_boundary(node, crossing, far, crossing.normal * sense);
+            }
+            node.region = far.region;  // the same medium goes on behind this boundary
+            node.left = far.left;
+        }
+    }
+
+    void fail(const Node& node) {
+        ++result_.failures;
+        result_.residual += node.weight;
+        leaf(node, LeafReason::failure);
+    }
+
+    void cut_by_depth(const Node& node) {
+        result_.residual += node.weight;
+        leaf(node, LeafReason::depth);
+    }
+
+    void absorb(const Node& node) {
+        result_.absorbed += node.weight;
+        leaf(node, LeafReason::absorbed);
+    }
+
+    /// Beer-Lambert along the segment. False if nothing is left because the segment has no end.
+    bool attenuate(Node& node, const Crossing& crossing) {
+        const MediumAt& medium = medium_of(node.region);
+        if (!medium.absorption.absorbs()) return true;
+        if (crossing.body < 0) {
+            absorb(node);
+            return false;
+        }
+        double alpha = medium.absorption.ordinary;
+        if constexpr (anisotropic) {
+            const Dielectric<double>& d = medium.dielectric;
+            if (node.wave.kind != WaveKind::pair)
+                alpha = mode_absorption(medium.absorption, d.n, d.n_e, d.axis, node.wave.field[0], node.wave.k, node.wave.ray);
+        }
+        const double lost = node.weight * -std::expm1(-alpha * crossing.distance);
+        result_.absorbed += lost;
+        node.throughput.scale(std::exp(-0.5 * alpha * crossing.distance));
+        node.weight -= lost;
+        return true;
+    }
+
+    void end_on_background(const Node& node) {
+        const double factor = radiance_factor(node);
+        const Stokes<double> state = factor * node.throughput.unpolarized();
+        light_.clear();
+        for (const int w : group_->wavelengths) light_.push_back(plan_.background[static_cast<std::size_t>(w)] * state);
+        resolve(node, LeafReason::background);
+    }
+
+    void resolve(const Node& node, LeafReason reason) {
+        for (std::size_t i = 0; i < light_.size(); ++i) sums_[i] += light_[i];
+        result_.resolved += node.weight;
+        leaf(node, reason, light_);
+    }
+
+    /// From radiance at the leaf to radiance at the camera: (n_camera / N)^2 with N^2 of physics.md 2.3. For a pair along
+    /// the axis of a crystal the ordinary index stands for both modes.
+    [[nodiscard]] double radiance_factor(const Node& node) const {
+        const Dielectric<double>& d = medium_of(node.region).dielectric;
+        double n2 = d.n * d.n;
+        if constexpr (anisotropic) {
+            if (node.wave.kind == WaveKind::extraordinary) {
+                const double ray_index = dot(node.wave.k, node.wave.ray);
+                const double ratio = d.n_e * d.n_e / (ray_index * ray_index);
+                n2 *= ratio * ratio;
+            }
+        }
+        const double n_camera2 = camera_n_ * camera_n_;
+        return n2 == n_camera2 ? 1.0 : n_camera2 / n2;
+    }
+
+    void meet_surface(Node& node, const Crossing& crossing, int depth_limit) {
+        const Surface& surface = plan_.surface(crossing.body);
+        if (const auto* role = std::get_if<EmitterRole>(&surface.role)) {
+            const Emitter& emitter = plan_.emitters[static_cast<std::size_t>(role->emitter)];
+            const bool front = dot(crossing.normal, node.wave.ray) < 0.0;
+            if (!front && !emitter.two_sided) return absorb(node);
+            const double n = medium_of(node.region).dielectric.n;
+            light_.clear();
+            const Stokes<double> state =
+                radiance_factor(node) * emitted_state(emitter, group_index_, node, front ? crossing.normal : -crossing.normal, n);
+            emitted_radiance(emitter, group_->wavelengths, crossing.uv, state, light_);
+            return resolve(node, LeafReason::emitter);
+        }
+        if (const auto* role = std::get_if<SheetRole>(&surface.role)) {
+            if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);
+            const Node child = through_sheet(node, role->sheet, Left{crossing.body, crossing.facet});
+            result_.absorbed += node.weight - child.weight;
+            add_child(node, child, Interaction::sheet);
+            return;
+        }
+        absorb(node);
+    }
+
+    void meet_boundary(const Node& node, const Crossing& crossing, const FarSide& far, const DVec3& normal) {
+        const Dielectric<double>& from = medium_of(node.region).dielectric;
+        const Dielectric<double>& to = medium_of(far.region).dielectric;
+        const Left same_side{crossing.body, crossing.facet};
+        Branches branches;
+        if constexpr (anisotropic) {
+            branches = from.kind == MediumKind::uniaxial || to.kind == MediumKind::uniaxial
+                           ? cross_crystal_boundary(node, from, to, normal)
+                           : cross_isotropic_boundary(node, from, to, normal);
+        } else {
+            branches = cross_isotropic_boundary(node, from, to, normal);
+        }
+        if (!branches.valid) return fail(node);
+        result_.absorbed += branches.absorbed;
+        for (int i = 0; i < branches.count; ++i) {
+            Node& child = branches.node[i];
+            const bool reflected = branches.side[i] == Side::reflected;
+            child.origin = node.origin;
+            child.region = reflected ? node.region : far.region;
+            child.left = reflected ? same_side : far.left;
+            add_child(node, child, reflected ? Interaction::reflected : Interaction::transmitted);
+        }
+    }
+
+    void add_child(const Node& parent, const Node& child, Interaction interaction) {
+        if (!std::isfinite(child.weight)) return fail(child);
+        if (child.weight == 0.0) return;
+        children_.push_back(child);
+        Node& added = children_.back();
+        added.depth = parent.depth + 1;
+        added.id = next_id_++;
+        observer_.opened(added, parent.id, interaction);
+    }
+
+    /// Ends what is still open; returns its weight.
+    double close_queue(LeafReason reason) {
+        open_.clear();
+        double open = 0.0;
+        while (!queue_.empty()) {
+            open_.push_back(queue_.pop());
+            open += open_.back().weight;
+        }
+        if (reason == LeafReason::residual)
+            for (const Node& node : open_) leaf(node, reason);
+        return open;
+    }
+
+    /// One random path stands for all open branches: chosen with probability w / open at the root and at every branching, and
+    /// rescaled so that it always weighs `open`. Its estimate then never exceeds open * L_max (performance.md 4, row 3).
+    void follow_tail(const TraceTask& task, double open) {
+        std::uint32_t dimension = first_tail_dimension;
+        double pick = random_unit(task.key, dimension++) * open;
+        std::size_t chosen = 0;
+        while (chosen + 1 < open_.size() && pick >= open_[chosen].weight) pick -= open_[chosen++].weight;
+        for (std::size_t i = 0; i < open_.size(); ++i)
+            if (i != chosen) leaf(open_[i], LeafReason::node_budget);
+
+        const TraceResult head = result_;
+        Node node = open_[chosen];
+        observer_.tail_begins(node);
+        bool ended = false;
+        for (int step = 0; step < tail_limit && !ended; ++step) {
+            node.throughput.scale(std::sqrt(open / node.weight));
+            node.weight = open;
+            const std::uint32_t failures = result_.failures;
+            const double residual = result_.residual;
+            follow(node);
+            if (result_.failures != failures || result_.residual != residual) break;  // ended without an answer
+            double u = random_unit(task.key, dimension++) * open;
+            std::size_t branch = 0;
+            while (branch < children_.size() && u >= children_[branch].weight) u -= children_[branch++].weight;
+            ended = branch >= children_.size();  // a leaf, or absorbed with the probability of absorption
+            for (std::size_t i = 0; i < children_.size(); ++i)
+                if (i != branch) leaf(children_[i], LeafReason::node_budget);
+            if (!ended) node = children_[branch];
+        }
+        const TraceResult all = result_;
+        result_ = head;
+        result_.nodes = all.nodes;
+        result_.failures = all.failures;
+        (ended ? result_.tail : result_.residual) += open;
+        if (!ended && all.residual == head.residual) leaf(node, LeafReason::tail_limit);
+    }
+
+    static constexpr std::uint32_t first_tail_dimension = 16;
+
+    const Plan& plan_;
+    Observer& observer_;
+    const WavelengthGroup* group_ = nullptr;
+    int group_index_ = 0;
+    std::span<Stokes<double>> sums_;
+    TraceResult result_{};
+    int next_id_ = 0;
+    double camera_n_ = 1.0;
+    NodeQueue queue_;
+    std::vector<Node> children_;
+    std::vector<Node> open_;
+    std::vector<Stokes<double>> light_;
+};
+
+}  // namespace pol
