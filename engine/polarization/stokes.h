@@ -25,7 +25,9 @@ struct Stokes {
     friend constexpr Stokes operator-(const Stokes& a, const Stokes& b) {
         return {a.s0 - b.s0, a.s1 - b.s1, a.s2 - b.s2, a.s3 - b.s3};
     }
-    friend constexpr Stokes operator*(const Real& f, const Stokes& a) { return {f * a.s0, f * a.s1, f * a.s2, f * a.s3}; }
+    friend constexpr Stokes operator*(const Real& f, const Stokes& a) {
+        return {f * a.s0, f * a.s1, f * a.s2, f * a.s3};
+    }
     friend constexpr bool operator==(const Stokes& a, const Stokes& b) = default;
 };
 

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/units.h"
+#include "polarization/coherence_matrix.h"
+#include "polarization/framed_coherence.h"
+#include "polarization/measures.h"
+#include "polarization/mueller.h"
+
+namespace pol {
+namespace {
+
+using Jones = JonesVector<double>;
+using Matrix = JonesMatrix<double>;
+using Coherence = CoherenceMatrix<double>;
+using Frame = PolarizationFrame<double>;
+
+// A product of 2x2 complex matrices sums at most 4 terms a few times over; entries here are of order 1, so 16 epsilon
+// per step is generous and 1e-14 covers every chain below.
+constexpr double rounding = 1e-14;
+
+void expect_same(const Stokes<double>& a, const Stokes<double>& b, double tolerance) {
+    EXPECT_NEAR(a.s0, b.s0, tolerance);
+    EXPECT_NEAR(a.s1, b.s1, tolerance);
+    EXPECT_NEAR(a.s2, b.s2, tolerance);
+    EXPECT_NEAR(a.s3, b.s3, tolerance);
+}
+
+class RandomLight {
+public:
+    double normal() { return normal_(engine_); }
+    Complex<double> complex() { return {normal(), normal()}; }
+    Jones field() { return {complex(), complex()}; }
+    Matrix matrix() { return {complex(), complex(), complex(), complex()}; }
+    DVec3 direction() { return unit(DVec3{normal(), normal(), normal()}); }
+
+private:
+    std::mt19937_64 engine_{12345};
+    std::normal_distribution<double> normal_;
+};
+
+TEST(Coherence, TheSixStandardStatesHaveTheirStokesVectors) {
+    const double h = std::sqrt(0.5);
+    // Right circular light: E_y = -i E_x with exp(-i omega t) (physics.md section 1).
+    const struct {
+        Jones field;
+        Stokes<double> expected;
+    } cases[] = {
+        {{1.0, 0.0}, {1.0, 1.0, 0.0, 0.0}},     {{0.0, 1.0}, {1.0, -1.0, 0.0, 0.0}},
+        {{h, h}, {1.0, 0.0, 1.0, 0.0}},         {{h, -h}, {1.0, 0.0, -1.0, 0.0}},
+        {{h, {0.0, -h}}, {1.0, 0.0, 0.0, 1.0}}, {{h, {0.0, h}}, {1.0, 0.0, 0.0, -1.0}},
+    };
+    for (const auto& c : cases) expect_same(to_stokes(Coherence::outer(c.field)), c.expected, rounding);
+}
+
+// The receiver looks against k and sees x to the right, y up. Clockwise there means that the field, as a real vector of
+// time, turns from y towards x.
+TEST(Coherence, PositiveS3IsAFieldThatTurnsClockwiseForTheReceiver) {
+    const Jones right{1.0, {0.0, -1.0}};
+    ASSERT_GT(to_stokes(Coherence::outer(right)).s3, 0.0);
+    const auto field_at = [&](double omega_t) {
+        const Complex<double> phase = unit_phase(-omega_t);
+        return DVec2{(right.x * phase).re, (right.y * phase).re};
+    };
+    const DVec2 now = field_at(0.0);
+    const DVec2 later = field_at(0.1);
+    EXPECT_LT(now.x * later.y - now.y * later.x, 0.0);
+}
+
+TEST(Coherence, StokesAndCoherenceSayTheSame) {
+    RandomLight random;
+    for (int i = 0; i < 100; ++i) {
+        const Coherence j = Coherence::outer(random.field()) + Coherence::outer(random.field());
+        const Coherence back = to_coherence(to_stokes(j));
+        const double tolerance = rounding * trace(j);
+        EXPECT_NEAR(back.xx, j.xx, tolerance);
+        EXPECT_NEAR(back.yy, j.yy, tolerance);
+        EXPECT_NEAR(back.xy.re, j.xy.re, tolerance);
+        EXPECT_NEAR(back.xy.im, j.xy.im, tolerance);
+    }
+}
+
+TEST(Coherence, AnElementActsOnTheBeamAsOnItsFields) {
+    RandomLight random;
+    for (int i = 0; i < 100; ++i) {
+        const Matrix a = random.matrix();
+        const Jones u = random.field();
+        const Jones v = random.field();
+        const Coherence expected = Coherence::outer(a * u) + Coherence::outer(a * v);
+        const Coherence j = transform(a, Coherence::outer(u) + Coherence::outer(v));
+        // |A|^2 and |v|^2 multiply the rounding.
+        const double tolerance =
+            rounding * 4.0 * mean_transmittance(a) * (norm2(u.x) + norm2(u.y) + norm2(v.x) + norm2(v.y));
+        expect_same(to_stokes(j), to_stokes(expected), tolerance);
+    }
+}
+
+TEST(Coherence, RotatingTheBasisOfStokesAndOfCoherenceAgree) {
+    RandomLight random;
+    for (int i = 0; i < 100; ++i) {
+        const Coherence j = Coherence::outer(random.field());
+        const double angle = random.normal();
+        expect_same(to_stokes(rotate_basis(j, angle)), rotate_basis(to_stokes(j), angle), rounding * trace(j));
+    }
+}
+
+TEST(Coherence, LightAlongXIsMinus45DegreesInAFrameTurnedBy45) {
+    const Stokes<double> turned = rotate_basis(Stokes<double>{1.0, 1.0, 0.0, 0.0}, pi / 4.0);
+    expect_same(turned, {1.0, 0.0, -1.0, 0.0}, rounding);
+}
+
+TEST(Frame, IsOrthonormalAndRightHandedEvenForANearlyParallelHint) {
+    RandomLight random;
+    for (const double tilt : {1.0, 1e-4, 1e-8, 1e-12}) {
+        SCOPED_TRACE(tilt);
+        for (int i = 0; i < 50; ++i) {
+            const DVec3 k = random.direction();
+            const Frame f = Frame::about(k, k + tilt * random.direction());
+            EXPECT_NEAR(length2(f.x()), 1.0, rounding);
+            EXPECT_NEAR(length2(f.y()), 1.0, rounding);
+            EXPECT_NEAR(dot(f.x(), f.y()), 0.0, rounding);
+            EXPECT_NEAR(dot(f.x(), f.k()), 0.0, rounding);
+            EXPECT_NEAR(dot(f.y(), f.k()), 0.0, rounding);
+            EXPECT_NEAR(dot(cross(f.x(), f.y()), f.k()), 1.0, rounding);
+        }
+    }
+}
+
+TEST(Frame, OfACameraThatLooksNorthHasXEastAndYUp) {
+    const Frame f = Frame::of_camera(DVec3{0.0, 0.0, -1.0}, DVec3{0.0, 2.0, -3.0});
+    EXPECT_EQ(f.x(), (DVec3{1.0, 0.0, 0.0}));
+    EXPECT_EQ(f.y(), (DVec3{0.0, 1.0, 0.0}));
+    EXPECT_EQ(f.k(), (DVec3{0.0, 0.0, 1.0}));
+}
+
+TEST(Frame, AtAnInterfaceHasSAcrossThePlaneOfIncidence) {
+    const DVec3 n{0.0, 0.0, 1.0};
+    const DVec3 k = unit(DVec3{1.0, 0.0, 2.0});
+    const Frame f = Frame::of_interface(k, n);
+    // s = n x k points along +y for n = z, k in the xz plane towards +x.
+    EXPECT_NEAR(f.x().y, 1.0, rounding);
+    EXPECT_NEAR(dot(cross(f.x(), f.y()), k), 1.0, rounding);
+    const Frame head_on = Frame::of_interface(n, n);
+    EXPECT_NEAR(dot(cross(head_on.x(), head_on.y()), n), 1.0, rounding);
+}
+
+TEST(Frame, RewritingABeamAndBackChangesNothing) {
+    RandomLight random;
+    for (int i = 0; i < 50; ++i) {
+        const DVec3 k = random.direction();
+        const FramedCoherence<double> beam{Coherence::outer(random.field()), Frame::about(k, random.direction())};
+        const Frame other = Frame::about(k, random.direction());
+        const FramedCoherence<double> back = in_frame(in_frame(beam, other), beam.frame);
+        expect_same(to_stokes(back.j), to_stokes(beam.j), rounding * trace(beam.j));
+    }
+}
+
+// The field itself, as a vector in space, must not depend on the frame it is written in.
+TEST(Frame, RewritingALinearStateKeepsItsFieldInSpace) {
+    RandomLight random;
+    for (int i = 0; i < 50; ++i) {
+        const DVec3 k = random.direction();
+        const Frame a = Frame::about(k, random.direction());
+        const Frame b = Frame::about(k, random.direction());
+        const double angle = random.normal();
+        const DVec3 field = std::cos(angle) * a.x() + std::sin(angle) * a.y();
+        const Coherence j = in_frame<double>({Coherence::outer({std::cos(angle), std::sin(angle)}), a}, b).j;
+        expect_same(to_stokes(j), to_stokes(Coherence::outer({dot(field, b.x()), dot(field, b.y())})), rounding);
+    }
+}
+
+TEST(Mueller, ActsOnStokesAsJonesActsOnCoherence) {
+    RandomLight random;
+    for (int i = 0; i < 100; ++i) {
+        const Matrix a = random.matrix();
+        const Coherence j = Coherence::outer(random.field()) + Coherence::outer(random.field());
+        const double tolerance = rounding * 8.0 * mean_transmittance(a) * trace(j);
+        expect_same(to_mueller(a) * to_stokes(j), to_stokes(transform(a, j)), tolerance);
+    }
+}
+
+// Hecht, Optics, table 8.6: horizontal linear polarizer.
+TEST(Mueller, OfAHorizontalPolarizerIsTheTextbookMatrix) {
+    const MuellerMatrix<double> m = to_mueller(Matrix{1.0, 0.0, 0.0, 0.0});
+    const MuellerMatrix<double> expected{
+        {{{0.5, 0.5, 0.0, 0.0}, {0.5, 0.5, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}}}};
+    EXPECT_EQ(m, expected);
+}
+
+TEST(Mueller, OfTheReversedPathBelongsToTheTransposedJonesMatrix) {
+    RandomLight random;
+    for (int i = 0; i < 100; ++i) {
+        const Matrix a = random.matrix();
+        const MuellerMatrix<double> expected = to_mueller(transpose(a));
+        const MuellerMatrix<double> m = reversed(to_mueller(a));
+        for (std::size_t r = 0; r < 4; ++r) {
+            for (std::size_t c = 0; c < 4; ++c) {
+                EXPECT_NEAR(m.m[r][c], expected.m[r][c], rounding * 4.0 * mean_transmittance(a));
+            }
+        }
+    }
+}
+
+TEST(Jones, MeanTransmittanceIsTheShareOfUnpolarizedLightThatPasses) {
+    RandomLight random;
+    for (int i = 0; i < 50; ++i) {
+        const Matrix a = random.matrix();
+        EXPECT_NEAR(mean_transmittance(a), trace(transform(a, Coherence::unpolarized(1.0))),
+                    rounding * 4.0 * mean_transmittance(a));
+        EXPECT_NEAR(mean_transmittance(adjoint(a)), mean_transmittance(a), rounding * mean_transmittance(a));
+    }
+}
+
+}  // namespace
+}  // namespace pol
