@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts that a scene file is read by; for scene_file.cpp only. All throw YamlComplaint.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/yaml_value.h"
+#include "media/medium.h"
+#include "scene/scene.h"
+
+namespace pol {
+
+/// Where the files that a scene names are looked for.
+struct AssetFolders {
+    std::filesystem::path scene;   ///< of the scene file
+    std::filesystem::path assets;  ///< of the program
+};
+
+/// Absolute path of the file that `value` names: beside the scene, in assets/`kind`, or in assets.
+std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& folders, const std::string& kind);
+
+Spectrum read_spectrum(const YamlValue& value);
+RefractiveIndex read_index(const YamlValue& value, const AssetFolders& folders);
+Medium read_medium(const std::string& name, const YamlValue& value, const AssetFolders& folders);
+Shape read_shape(const YamlValue& value, const AssetFolders& folders);
+DMat4 read_transform(const YamlValue& value);
+Emission read_emission(const YamlValue& value, const AssetFolders& folders);
+Object read_object(const YamlValue& value, const AssetFolders& folders);
+
+}  // namespace pol

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/units.h"
+#include "scene/check_rules.h"
+#include "spectrum/illuminant.h"
+
+namespace pol {
+namespace {
+
+void check_camera(SceneCheck& check) {
+    const Camera& camera = check.scene().camera;
+    check.about(camera.place);
+    check.require_position(camera.position, "camera.position");
+    check.require_position(camera.target, "camera.target");
+    check.require_axis(camera.up, "camera.up");
+    if (check.failed()) return;
+    const DVec3 view = camera.target - camera.position;
+    check.require(length2(view) > 0.0, "camera.target", "is the camera's position: there is no direction to look in",
+                  "move the target or the camera");
+    if (check.failed()) return;
+    // 1e-9 leaves seven digits of the cross product that the camera frame is made of.
+    check.require(std::sqrt(length2(cross(unit(view), unit(camera.up)))) > 1e-9, "camera.up",
+                  "is parallel to the line of sight", "choose another up, for example [0, 1, 0]");
+    if (camera.projection == Projection::perspective) {
+        check.require(camera.horizontal_fov > 0.0 && camera.horizontal_fov < pi, "camera.fov",
+                      "must lie between 0 and 180 degrees", "30 is a good start");
+    } else {
+        check.require_size(camera.width, "camera.width");
+    }
+}
+
+void check_render(SceneCheck& check) {
+    const RenderSettings& render = check.scene().render;
+    check.about({});
+    const bool sides = render.width >= 1 && render.height >= 1 && render.width <= max_picture_side &&
+                       render.height <= max_picture_side;
+    check.require(sides, "render.size", "each side must have 1 to 65536 pixels", "for example [512, 512]");
+    check.require(static_cast<double>(render.width) * static_cast<double>(render.height) <= max_picture_pixels,
+                  "render.size", "the picture has more than 2^31 pixels", "for example [512, 512]");
+    check.require(!render.wavelengths_nm.empty(), "render.wavelengths", "there must be at least one wavelength",
+                  "for example 580");
+    for (const double nm : render.wavelengths_nm) {
+        check.require(nm > 0.0 && nm <= 1e6, "render.wavelengths", "must lie between 0 and 1e6 nm", "for example 580");
+    }
+    const bool ascending =
+        std::is_sorted(render.wavelengths_nm.begin(), render.wavelengths_nm.end(), std::less_equal<>());
+    check.require(ascending, "render.wavelengths", "must ascend", "sort them and leave out repeated ones");
+    check.require(render.samples_per_pixel >= 1 && render.samples_per_pixel <= 1 << 24, "render.spp",
+                  "must lie between 1 and 16777216", "1 to 64 is usual");
+    check.require(render.residual >= 0.0 && render.residual <= 1.0, "render.residual", "must lie between 0 and 1",
+                  "1e-3 means that at most 0.1 % of a pixel stays untraced");
+    check.require(!render.depth || (*render.depth >= 0 && *render.depth <= 1000000), "render.depth",
+                  "must lie between 0 and 1000000", "the paper used 9; leave it out to cut by energy alone");
+    check.require(render.node_budget >= 1 && render.node_budget <= 1 << 30, "render.node_budget",
+                  "must lie between 1 and 1073741824", "leave it out for the default, 131072");
+}
+
+void check_surroundings(SceneCheck& check) {
+    const Scene& scene = check.scene();
+    check.about({});
+    check.require(std::isfinite(scene.unit_nm) && scene.unit_nm >= 1e-6 && scene.unit_nm <= 1e18, "unit",
+                  "must lie between 1e-6 and 1e18 nm", "write nm, um, mm, cm or m");
+    if (!scene.ambient.empty()) {
+        require_medium(check, scene.ambient, "ambient");
+        const Medium* ambient = find_medium(scene, scene.ambient);
+        check.require(ambient == nullptr || std::holds_alternative<IsotropicMedium>(ambient->matter), "ambient",
+                      "the camera must stand in an isotropic medium", "use a medium with a single real index");
+    }
+    check.about(scene.background.place);
+    check_spectrum(check, scene.background.radiance, scene.render.wavelengths_nm, "background");
+}
+
+}  // namespace
+
+void check_spectrum(SceneCheck& check, const Spectrum& spectrum, const std::vector<double>& wavelengths_nm,
+                    const std::string& field) {
+    const auto require_value = [&](double value) {
+        check.require(std::isfinite(value) && value >= 0.0, field, "must not be negative", "write 0 or more");
+        check.require(!(value > 1e100), field, "is absurdly large", "write less than 1e100");
+    };
+    if (const auto* constant = std::get_if<ConstantSpectrum>(&spectrum)) require_value(constant->value);
+    if (const auto* d65 = std::get_if<D65Spectrum>(&spectrum)) require_value(d65->scale);
+    if (const auto* table = std::get_if<TabulatedSpectrum>(&spectrum)) {
+        const std::vector<double>& nodes = table->wavelength_nm;
+        check.require(!nodes.empty() && nodes.size() == table->value.size(), field, "the table is empty",
+                      "write [[400, 0.2], [700, 0.9]]");
+        for (const double nm : nodes) {
+            check.require(std::isfinite(nm) && nm > 0.0, field, "a wavelength is not positive",
+                          "wavelengths are in nm");
+        }
+        check.require(std::is_sorted(nodes.begin(), nodes.end(), std::less_equal<>()), field, "wavelengths must ascend",
+                      "sort the rows and leave out repeated ones");
+        for (const double value : table->value) require_value(value);
+    }
+    if (check.failed()) return;
+    for (const double nm : wavelengths_nm) {
+        const Result<double> value = evaluate(spectrum, nm);
+        if (!value) check.require(false, field, value.error().what, value.error().hint);
+    }
+}
+
+std::optional<Error> first_problem(const Scene& scene) {
+    SceneCheck check(scene);
+    check_render(check);
+    // Spectra and indices are asked at the picture's wavelengths, which must make sense first.
+    if (!check.failed()) {
+        check_camera(check);
+        check_surroundings(check);
+        check_media(check);
+        check_objects(check);
+    }
+    return check.problem();
+}
+
+}  // namespace pol
