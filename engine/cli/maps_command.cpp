@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/maps_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "io/exr_file.h"
+#include "io/map_picture.h"
+#include "io/png_file.h"
+#include "maps/colorize.h"
+#include "maps/quantity.h"
+
+namespace pol {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the user typed.
+struct Request {
+    std::string input;
+    std::string map;
+    std::string output;
+    std::optional<double> wavelength_nm;
+    std::string style = "scientific";
+    double exposure = 0.0;
+    std::vector<double> range;
+    bool plain = false;
+};
+
+Error usage_error(std::string field, std::string what, std::string hint = {}) {
+    return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
+}
+
+Result<std::vector<Quantity>> wanted_quantities(const std::string& name) {
+    std::vector<Quantity> wanted;
+    if (name == "all") {
+        for (const QuantityInfo& about : quantities()) wanted.push_back(about.quantity);
+        return wanted;
+    }
+    if (const auto quantity = quantity_named(name)) return std::vector<Quantity>{*quantity};
+    std::vector<std::string_view> names;
+    for (const QuantityInfo& about : quantities()) names.push_back(about.name);
+    return usage_error(
+        "--map", fmt::format("there is no map '{}'", name),
+        fmt::format("did you mean {}? Maps: {}, all", info(nearest_quantity(name)).name, fmt::join(names, ", ")));
+}
+
+Result<MapOptions> wanted_options(const Request& request) {
+    const std::map<std::string_view, MapStyle> styles{
+        {"scientific", MapStyle::scientific}, {"paper", MapStyle::paper}, {"wilkie", MapStyle::wilkie}};
+    const auto style = styles.find(request.style);
+    if (style == styles.end()) {
+        return usage_error("--style", fmt::format("there is no style '{}'", request.style),
+                           "scientific, paper or wilkie");
+    }
+    MapOptions options{style->second, std::nullopt, request.exposure};
+    if (!std::isfinite(request.exposure) || std::abs(request.exposure) > 1000.0) {
+        return usage_error("--exposure", fmt::format("{} is no number of stops", request.exposure), "for example -2");
+    }
+    if (request.range.empty()) return options;
+    const bool is_range = request.range.size() == 2 && std::isfinite(request.range[0]) &&
+                          std::isfinite(request.range[1]) && request.range[0] < request.range[1] &&
+                          std::isfinite(request.range[1] - request.range[0]);
+    if (!is_range) return usage_error("--range", "is not two ascending numbers", "for example --range 0,0.2");
+    options.range = MapRange{request.range[0], request.range[1]};
+    return options;
+}
+
+/// The paper's wavelength, unless the user asks for another one: index of the plane nearest to it.
+Result<std::size_t> wanted_wavelength(const StokesImage& image, std::optional<double> asked_nm) {
+    constexpr double default_nm = 580.0;
+    constexpr double same_nm = 1e-3;
+    const double target = asked_nm.value_or(default_nm);
+    const std::vector<double>& known = image.wavelengths_nm;
+    const auto nearest = std::min_element(known.begin(), known.end(), [target](double a, double b) {
+        return std::abs(a - target) < std::abs(b - target);
+    });
+    if (asked_nm && !(std::abs(*nearest - target) <= same_nm)) {
+        return usage_error("--wavelength", fmt::format("the picture has no plane at {} nm", target),
+                           fmt::format("it has {} nm", fmt::join(known, ", ")));
+    }
+    return static_cast<std::size_t>(nearest - known.begin());
+}
+
+std::string caption_of(const StokesImage& image, const fs::path& input) {
+    const auto scene = image.attributes.find("scene");
+    return scene == image.attributes.end() ? input.filename().string() : fs::path(scene->second).filename().string();
+}
+
+Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t wavelength, const MapOptions& options,
+                       const Request& request, const fs::path& output) {
+    const Result<ColoredMap> map = draw_map(image, quantity, wavelength, options);
+    if (!map) return map.error();
+    const std::size_t bad = map.value().state_count[static_cast<std::size_t>(PixelState::not_a_number)];
+    if (bad > 0)
+        fmt::print(stderr, "{}: {} pixels of '{}' are not a number\n", request.input, bad, info(quantity).name);
+    if (request.plain) return write_png(map.value().picture, output);
+    const Result<RgbPicture> picture = map_picture(map.value(), caption_of(image, request.input));
+    if (!picture) return picture.error();
+    return write_png(picture.value(), output);
+}
+
+Result<Done> run(const Request& request) {
+    const Result<std::vector<Quantity>> wanted = wanted_quantities(request.map);
+    if (!wanted) return wanted.error();
+    const Result<MapOptions> options = wanted_options(request);
+    if (!options) return options.error();
+    const Result<StokesImage> image = read_exr(request.input);
+    if (!image) return image.error();
+    const Result<std::size_t> wavelength = wanted_wavelength(image.value(), request.wavelength_nm);
+    if (!wavelength) return wavelength.error();
+
+    const bool is_folder = request.map == "all";
+    if (is_folder) {
+        std::error_code status;
+        fs::create_directory(request.output, status);
+        if (!fs::is_directory(request.output, status)) {
+            return Error{ErrorKind::output,
+                         "cannot be made a folder",
+                         Place{request.output},
+                         {},
+                         "--map all writes one file per map"};
+        }
+    }
+    for (const Quantity quantity : wanted.value()) {
+        const fs::path output = is_folder ? fs::path(request.output) / fmt::format("{}.png", info(quantity).name)
+                                          : fs::path(request.output);
+        const Result<Done> written =
+            write_map(image.value(), quantity, wavelength.value(), options.value(), request, output);
+        if (!written) return written.error();
+    }
+    return Done{};
+}
+
+std::string footer() {
+    std::string text = "Maps:\n";
+    for (const QuantityInfo& about : quantities()) text += fmt::format("  {:<18} {}\n", about.name, about.definition);
+    text +=
+        "  all                every map, as NAME.png in the folder OUT\n"
+        "\nStyles:\n"
+        "  scientific         scales that can be read without color vision; gray where a map is undefined,\n"
+        "                     hatched where too much light was left out to know, magenta where not a number\n"
+        "  paper              value times D65: white is 1; black is 0, undefined or unknown\n"
+        "  wilkie             the colors of Wilkie & Weidlich 2010\n"
+        "\nExamples:\n"
+        "  polariscope maps stone.exr --map dop -o dop.png\n"
+        "  polariscope maps stone.exr --map azimuth --wavelength 440 -o azimuth.png\n"
+        "  polariscope maps stone.exr --map ellipticity --style paper --plain -o figure.png\n"
+        "  polariscope maps stone.exr --map dop --range 0,0.2 -o weak.png\n"
+        "  polariscope maps stone.exr --map all -o maps/\n";
+    return text;
+}
+
+}  // namespace
+
+void add_maps_command(CLI::App& app, int& exit_code) {
+    const auto request = std::make_shared<Request>();
+    CLI::App* command = app.add_subcommand("maps", "Draw a map of a Stokes picture (EXR) as PNG");
+    command->add_option("IN", request->input, "Stokes picture, EXR in the spectral layout")->required();
+    command->add_option("--map", request->map, "what to draw, see below")->required();
+    command->add_option("-o,--output", request->output, "PNG file; a folder for --map all")->required();
+    command->add_option("--wavelength", request->wavelength_nm, "wavelength in nm (default: the one nearest to 580)");
+    command->add_option("--style", request->style, "scientific, paper or wilkie")->capture_default_str();
+    command->add_option("--exposure", request->exposure, "stops, for color and intensity")->capture_default_str();
+    command->add_option("--range", request->range, "LO,HI: values at the ends of the color bar")
+        ->delimiter(',')
+        ->expected(1, 2);
+    command->add_flag("--plain", request->plain, "the pixels of the map alone, without bar and legend");
+    command->footer(footer());
+    command->callback([request, &exit_code] {
+        const Result<Done> done = run(*request);
+        exit_code = done ? 0 : static_cast<int>(done.error().kind);
+        if (!done) fmt::print(stderr, "polariscope maps: {}\n", to_string(done.error()));
+    });
+}
+
+}  // namespace pol

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture as it looks: S0 through the CIE 1931 observer.
+#pragma once
+
+#include <vector>
+
+#include "core/result.h"
+#include "film/stokes_image.h"
+#include "maps/color_scale.h"
+
+namespace pol {
+
+/// Linear sRGB of each pixel, not cut to the gamut. One wavelength gives gray: S0 relative to D65 there, as in Debelov
+/// & Kozlov, Figs. 10, 14 and 18. A pixel with NaN or infinite light has NaN or infinite color. Error (kind usage): the
+/// only wavelength is one where D65 is not known.
+Result<std::vector<LinearRgb>> color_picture(const StokesImage& image);
+
+}  // namespace pol

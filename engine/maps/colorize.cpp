@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "maps/colorize.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.h"
+#include "maps/color_picture.h"
+
+namespace pol {
+namespace {
+
+constexpr Rgb8 dark_gray{38, 38, 38};
+constexpr Rgb8 middle_gray{96, 96, 96};
+constexpr Rgb8 hatch_light{150, 150, 150};
+constexpr Rgb8 hatch_dark{64, 64, 64};
+constexpr Rgb8 magenta{255, 0, 255};
+
+ColorScale scale_for(Quantity quantity, MapStyle style) {
+    const ScaleKind kind = info(quantity).kind;
+    if (style == MapStyle::paper || kind == ScaleKind::gray) return ColorScale::gray;
+    if (style == MapStyle::wilkie) {
+        switch (quantity) {
+            case Quantity::dop:
+            case Quantity::dolp:
+            case Quantity::docp:
+                return ColorScale::wilkie_degree;
+            case Quantity::ellipticity:
+                return ColorScale::wilkie_type;
+            case Quantity::azimuth:
+                return ColorScale::wilkie_orientation;
+            case Quantity::s1:
+                return ColorScale::wilkie_s1;
+            case Quantity::s2:
+                return ColorScale::wilkie_s2;
+            case Quantity::handedness:
+            case Quantity::s3:
+                return ColorScale::wilkie_chirality;
+            default:
+                break;
+        }
+    }
+    if (kind == ScaleKind::cyclic) return ColorScale::cyclic;
+    return kind == ScaleKind::diverging ? ColorScale::diverging : ColorScale::sequential;
+}
+
+MapRange range_for(const Map& map, const MapOptions& options) {
+    if (options.range) return *options.range;
+    const QuantityInfo& about = info(map.quantity);
+    if (about.kind == ScaleKind::gray) return {0.0, std::exp2(-options.exposure)};
+    if (!std::isnan(about.high)) return {about.low, about.high};
+    double high = 0.0;
+    for (const MapPixel& pixel : map.pixels) {
+        if (pixel.state == PixelState::defined) high = std::max(high, pixel.value);
+    }
+    return {about.low, high > about.low ? high : 1.0};
+}
+
+LinearRgb decoded(const Rgb8& color) {
+    return {decode(color[0]), decode(color[1]), decode(color[2])};
+}
+
+}  // namespace
+
+Rgb8 state_color(PixelState state, int x, int y) {
+    switch (state) {
+        case PixelState::no_light:
+            return dark_gray;
+        case PixelState::undefined:
+            return middle_gray;
+        case PixelState::undetermined:
+            return (x + y) / 2 % 4 < 2 ? hatch_light : hatch_dark;
+        case PixelState::not_a_number:
+            return magenta;
+        case PixelState::defined:
+            break;
+    }
+    POL_EXPECTS(false);
+    return magenta;
+}
+
+Rgb8 faded(const LinearRgb& color, double weight) {
+    const LinearRgb ground = decoded(middle_gray);
+    LinearRgb mixed{};
+    for (std::size_t c = 0; c < 3; ++c) mixed[c] = ground[c] + (color[c] - ground[c]) * weight;
+    return encode(mixed);
+}
+
+ColoredMap colorize(const Map& map, const MapOptions& options) {
+    POL_EXPECTS(map.quantity != Quantity::color);
+    POL_EXPECTS(!options.range || options.range->low < options.range->high);
+    const ColorScale scale = scale_for(map.quantity, options.style);
+    ColoredMap colored{map.quantity, options.style,          map.wavelength_nm, {map.width, map.height, {}},
+                       scale,        range_for(map, options)};
+    colored.picture.pixels.reserve(map.pixels.size());
+
+    // The paper draws what is unpolarized, dark or unknown as 0; it has no fade.
+    const bool is_paper = options.style == MapStyle::paper;
+    const double span = colored.range.high - colored.range.low;
+    for (int y = 0; y < map.height; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            const MapPixel& pixel = map.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                                               static_cast<std::size_t>(x)];
+            ++colored.state_count[static_cast<std::size_t>(pixel.state)];
+            if (pixel.state != PixelState::defined) {
+                const bool is_black = is_paper && pixel.state != PixelState::not_a_number;
+                colored.picture.pixels.push_back(is_black ? Rgb8{0, 0, 0} : state_color(pixel.state, x, y));
+                continue;
+            }
+            const double t = (pixel.value - colored.range.low) / span;
+            // Rounding to the 32-bit floats of a file moves a value by 2^-23 of itself at most.
+            constexpr double rounding = 0x1p-22;
+            if (t < -rounding) ++colored.below;
+            if (t > 1.0 + rounding) ++colored.above;
+            const double weight = is_paper ? 1.0 : pixel.weight;
+            if (weight < 1.0) colored.fades = true;
+            colored.picture.pixels.push_back(faded(scale_color(scale, t), weight));
+        }
+    }
+    return colored;
+}
+
+Result<ColoredMap> colorize_picture(const StokesImage& image, const MapOptions& options) {
+    ColoredMap colored{Quantity::color, options.style, 0.0, {image.width, image.height, {}}, std::nullopt, {}};
+    const Result<std::vector<LinearRgb>> colors = color_picture(image);
+    if (!colors) return colors.error();
+    const double gain = std::exp2(options.exposure);
+    colored.picture.pixels.reserve(colors.value().size());
+    for (const LinearRgb& color : colors.value()) {
+        const bool is_number = std::isfinite(color[0]) && std::isfinite(color[1]) && std::isfinite(color[2]);
+        const PixelState state = is_number ? PixelState::defined : PixelState::not_a_number;
+        ++colored.state_count[static_cast<std::size_t>(state)];
+        colored.picture.pixels.push_back(is_number ? encode({gain * color[0], gain * color[1], gain * color[2]})
+                                                   : state_color(state, 0, 0));
+    }
+    return colored;
+}
+
+Result<ColoredMap> draw_map(const StokesImage& image, Quantity quantity, std::size_t wavelength,
+                            const MapOptions& options) {
+    if (quantity == Quantity::color) return colorize_picture(image, options);
+    const Result<Map> map = evaluate(image, quantity, wavelength);
+    if (!map) return map.error();
+    return colorize(map.value(), options);
+}
+
+}  // namespace pol

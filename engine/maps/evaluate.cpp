@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "maps/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.h"
+#include "core/units.h"
+#include "maps/error_bars.h"
+#include "polarization/measures.h"
+#include "spectrum/illuminant.h"
+
+namespace pol {
+namespace {
+
+/// A pixel is the sum of up to a thousand leaves and samples that weigh anything (physics.md section 1).
+constexpr double noise = noise_threshold(1000.0);
+
+constexpr MapPixel empty(PixelState state) {
+    return {0.0, 0.0, state};
+}
+
+MapPixel number(double value) {
+    return std::isfinite(value) ? MapPixel{value} : empty(PixelState::not_a_number);
+}
+
+/// How far S is from being light, 0 for light. A picture file rounds S0 and the polarized part by at most 2^-24 each,
+/// which changes the quotient by at most 2^-24.
+MapPixel unphysical(const Stokes<double>& s) {
+    constexpr double rounding = 0x1p-24;
+    const double polarized = polarized_part(s);
+    if (!std::isfinite(s.s0) || !std::isfinite(polarized)) return empty(PixelState::not_a_number);
+    if (s.s0 == 0.0 && polarized == 0.0) return number(0.0);
+    const double excess = (polarized - s.s0) / (polarized + std::abs(s.s0));
+    return number(excess > rounding ? excess : 0.0);
+}
+
+/// What a map of the polarization state shows.
+struct Reading {
+    double value = 0.0;
+    double weight = 1.0;
+    bool defined = true;
+    bool determined = true;
+};
+
+bool covers_half(const Interval<double>& bar, double range) {
+    return bar.width() >= range / 2.0;
+}
+
+Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>& m, const MeasureBounds<double>& bars) {
+    const double fade = std::min(1.0, m.dop / full_weight_polarization);
+    switch (quantity) {
+        case Quantity::dop:
+            return {m.dop, 1.0, true, !covers_half(bars.dop, 1.0)};
+        case Quantity::dolp:
+            return {m.dolp, 1.0, true, !covers_half(bars.dolp, 1.0)};
+        case Quantity::docp:
+            return {m.docp, 1.0, true, !covers_half(bars.docp, 1.0)};
+        case Quantity::ellipticity:
+            return {m.ellipticity, fade, m.has_polarization, !covers_half(bars.ellipticity, 1.0)};
+        case Quantity::handedness:
+            // sin(2 chi) = S3 / p, from the angle that measures.h has in its stable form.
+            return {std::sin(2.0 * m.ellipticity_angle), fade, m.has_polarization,
+                    !covers_half(bars.ellipticity_angle, pi / 2.0)};
+        case Quantity::azimuth:
+            return {degrees(m.azimuth), std::min(1.0, m.dolp / full_weight_polarization), m.has_azimuth,
+                    bars.azimuth < pi / 4.0};
+        case Quantity::s1:
+            return {s.s1 / s.s0, 1.0, true, bars.s1.width() < s.s0};
+        case Quantity::s2:
+            return {s.s2 / s.s0, 1.0, true, bars.s2.width() < s.s0};
+        case Quantity::s3:
+            return {s.s3 / s.s0, 1.0, true, bars.s3.width() < s.s0};
+        case Quantity::dop_error:
+            return {half_width(bars.dop, m.dop)};
+        case Quantity::ellipticity_error:
+            return {half_width(bars.ellipticity, m.ellipticity), 1.0, m.has_polarization};
+        case Quantity::azimuth_error:
+            return {degrees(bars.azimuth), 1.0, m.has_azimuth};
+        case Quantity::color:
+        case Quantity::intensity:
+        case Quantity::residual:
+        case Quantity::unphysical:
+            break;
+    }
+    POL_EXPECTS(false);
+    return {};
+}
+
+}  // namespace
+
+MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
+                        double d65) {
+    POL_EXPECTS(quantity != Quantity::color);
+    const Stokes<double>& s = image.at(wavelength, pixel);
+    if (quantity == Quantity::intensity) return number(s.s0 / d65);
+    if (quantity == Quantity::residual) return number(image.plane_value(image.residual, wavelength, pixel));
+    if (quantity == Quantity::unphysical) return unphysical(s);
+
+    const Measures<double> m = measure(s, noise);
+    const auto bars = error_bars(image, wavelength, pixel);
+    if (!std::isfinite(m.dop) || !bars) return empty(PixelState::not_a_number);
+    if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
+
+    const Reading reading = read(quantity, s, m, *bars);
+    if (!reading.determined) return empty(PixelState::undetermined);
+    if (!reading.defined) return empty(PixelState::undefined);
+    return {reading.value, reading.weight, PixelState::defined};
+}
+
+Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength) {
+    POL_EXPECTS(wavelength < image.wavelengths_nm.size());
+    double d65 = 1.0;
+    if (quantity == Quantity::intensity) {
+        const Result<double> known = evaluate(D65Spectrum{}, image.wavelengths_nm[wavelength]);
+        if (!known) return known.error();
+        d65 = known.value();
+    }
+    Map map{quantity, image.wavelengths_nm[wavelength], image.width, image.height, {}};
+    map.pixels.reserve(image.pixel_count());
+    for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
+        map.pixels.push_back(evaluate_pixel(image, quantity, wavelength, pixel, d65));
+    }
+    return map;
+}
+
+}  // namespace pol

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// A map: one number per pixel, and whether that number means anything.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/result.h"
+#include "film/stokes_image.h"
+#include "maps/quantity.h"
+
+namespace pol {
+
+/// Why a pixel of a map can be empty.
+enum class PixelState : std::uint8_t {
+    defined,
+    no_light,      ///< S0 = 0, and nothing was left out: black
+    undefined,     ///< light, but without the property: azimuth of unpolarized or circular light
+    undetermined,  ///< so much light was left out that the value may lie anywhere in half of its range or more
+    not_a_number,  ///< NaN, infinite or S0 < 0: a defect of the renderer
+};
+inline constexpr std::size_t pixel_state_count = 5;
+
+struct MapPixel {
+    double value = 0.0;  ///< in the unit of QuantityInfo; meaningless unless the state is `defined`
+    /// 1: fully meant; towards 0 for a property of the polarized part as that part vanishes. For fading only.
+    double weight = 1.0;
+    PixelState state = PixelState::defined;
+};
+
+/// Row 0 is the top row, as in StokesImage.
+struct Map {
+    Quantity quantity{};
+    double wavelength_nm = 0.0;
+    int width = 0;
+    int height = 0;
+    std::vector<MapPixel> pixels;
+};
+
+/// Degree of polarization (for the azimuth: of linear polarization) from which azimuth, ellipticity and handedness
+/// are shown at full weight. Below it the weight falls linearly to 0.
+inline constexpr double full_weight_polarization = 0.05;
+
+/// The value of `quantity` at one pixel. `d65` is CIE D65 at the wavelength, used by `intensity` only.
+/// Requires: quantity is not `color` (see color_picture.h).
+MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
+                        double d65);
+
+/// The whole map. Error (kind usage): `intensity` at a wavelength where D65 is not known.
+/// Requires: quantity is not `color`, wavelength < image.wavelengths_nm.size().
+Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength);
+
+}  // namespace pol
