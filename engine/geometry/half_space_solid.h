@@ -2,7 +2,6 @@
 // Flat-faced convex solids as sets of half-spaces: exact to rounding, watertight by construction, no epsilon.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "core/vec.h"
 #include "geometry/hit.h"
 #include "geometry/mesh.h"
+#include "geometry/plane_kernels.h"
 
 namespace pol {
 
@@ -52,8 +52,7 @@ private:
     Mesh mesh_;
     DVec3 center_{};
     double radius_ = 0.0;
-    std::vector<double> planes_;  // normal.x, normal.y, normal.z, offset: four rows of stride_ doubles
-    std::size_t stride_ = 0;      // facet count rounded up; the padding is planes that are never met
+    std::vector<PlaneBlock> blocks_;
 };
 
 }  // namespace pol

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/half_space_solid.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "geometry/complaint.h"
+#include "geometry/mesh_check.h"
+#include "geometry/polytope.h"
+
+namespace pol {
+namespace {
+
+std::vector<PlaneBlock> packed(const std::vector<Plane>& planes) {
+    std::vector<PlaneBlock> blocks((planes.size() + 7) / 8);
+    for (std::size_t i = 0; i < blocks.size() * 8; ++i) {
+        const Plane plane = i < planes.size() ? planes[i] : Plane{DVec3(0.0), 1.0};
+        PlaneBlock& block = blocks[i / 8];
+        block.normal_x[i % 8] = plane.normal.x;
+        block.normal_y[i % 8] = plane.normal.y;
+        block.normal_z[i % 8] = plane.normal.z;
+        block.offset[i % 8] = plane.offset;
+    }
+    return blocks;
+}
+
+}  // namespace
+
+HalfSpaceSolid::HalfSpaceSolid(Mesh mesh) : mesh_(std::move(mesh)), blocks_(packed(mesh_.facets)) {
+    DVec3 low = mesh_.vertices.front();
+    DVec3 high = low;
+    for (const DVec3& p : mesh_.vertices) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    center_ = 0.5 * (low + high);
+    for (const DVec3& p : mesh_.vertices) radius_ = std::max(radius_, glm::distance(center_, p));
+}
+
+Result<HalfSpaceSolid> HalfSpaceSolid::from_mesh(Mesh mesh) {
+    if (const Result<Done> closed = check_closed(mesh); !closed) return closed.error();
+    if (!is_convex(mesh)) return complaint("", "the mesh is not convex", "trace it with RayCaster");
+    return HalfSpaceSolid(std::move(mesh));
+}
+
+Result<HalfSpaceSolid> HalfSpaceSolid::from_planes(std::span<const Plane> planes) {
+    Result<Mesh> mesh = mesh_from_planes(planes);
+    if (!mesh) return mesh.error();
+    return HalfSpaceSolid(std::move(mesh).value());
+}
+
+FacetHit HalfSpaceSolid::exit(const DVec3& o, const DVec3& d, int skip) const {
+    return exit_planes(blocks_, o, d, skip);
+}
+
+FacetHit HalfSpaceSolid::enter(const DVec3& o, const DVec3& d, int skip) const {
+    return skip >= 0 ? FacetHit{} : enter_planes(blocks_, o, d);
+}
+
+bool HalfSpaceSolid::contains(const DVec3& p, double margin) const {
+    return std::all_of(mesh_.facets.begin(), mesh_.facets.end(),
+                       [&](const Plane& plane) { return dot(plane.normal, p) - plane.offset < -margin; });
+}
+
+}  // namespace pol
