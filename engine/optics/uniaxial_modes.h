@@ -277,7 +277,9 @@ WavesOfNormal<Real> waves_of_wave_normal(const Dielectric<Real>& medium, const V
         waves.count = 1;
         return waves;
     }
-    const Vec3<Real> w = unit(across);
+    // Near the axis the cross product is largely rounding: what of it lies along s must go, or E is not transverse.
+    const Vec3<Real> rough = unit(across);
+    const Vec3<Real> w = unit(rough - dot(rough, s) * s);
     const Real delta = (medium.n_e - medium.n) * (medium.n_e + medium.n);
     const Real cosine = dot(s, medium.axis);
     const Real eps_o = medium.n * medium.n;

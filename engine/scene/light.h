@@ -9,6 +9,7 @@
 
 #include "core/source_place.h"
 #include "core/vec.h"
+#include "optics/elements.h"
 #include "spectrum/spectrum.h"
 
 namespace pol {
@@ -40,8 +41,6 @@ struct FixedState {
     double s3 = 0.0;
     DVec3 x_axis{1.0, 0.0, 0.0};
 };
-
-enum class CrystalRay { ordinary, extraordinary };
 
 /// The paper's virtual crystal plate (5.3): the emitter is covered by a plane-parallel plate of a uniaxial medium, of which
 /// only one of the two rays is passed. The rest of the light is lost: without Fresnel factor an emitter of radiance L
