@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which wavelengths a picture is made at.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace pol {
+
+constexpr std::size_t max_wavelength_count = 4096;
+
+/// `wavelengths_nm` itself if it is a list to render at: not empty, at most max_wavelength_count, each positive and
+/// finite, strictly ascending. Error (kind usage) otherwise.
+Result<std::vector<double>> checked_wavelengths(std::vector<double> wavelengths_nm);
+
+/// Vacuum wavelengths in nm, ascending, from "580", a list "450,550,650", or a range "380:780:20" (first, last, step;
+/// the last is included where the steps reach it within 1e-9 of a step). Error (kind usage) for anything else.
+Result<std::vector<double>> parse_wavelengths(std::string_view text);
+
+}  // namespace pol
