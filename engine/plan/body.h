@@ -33,6 +33,8 @@ struct MeshBody {
 struct Contact {
     int other_solid = -1;
     int other_facet = -1;
+    /// True: both look the same way, the nested solid's face is part of its host's. False: they face each other.
+    bool flush = false;
 };
 
 /// A solid that is filled with a medium.

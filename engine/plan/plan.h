@@ -48,7 +48,6 @@ struct Region {
 /// Bodies are numbered solids first, then surfaces.
 struct Plan {
     RenderSettings settings;
-    std::string scene_hash;
     std::string title;
     std::vector<double> wavelengths_nm;  ///< ascending
     std::vector<std::string> medium_names;

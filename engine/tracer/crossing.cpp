@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/crossing.h"
 
+#include <algorithm>
+#include <span>
 #include <variant>
 
 #include "core/overloaded.h"
@@ -130,7 +132,11 @@ FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const D
     FarSide far{toggle(region, crossing.body), {crossing.body, crossing.facet}};
     const Solid& solid = plan.solid(crossing.body);
     if (solid.contacts.empty()) return far;
+    const std::vector<int>& members = plan.regions[static_cast<std::size_t>(region)].members;
+    const auto inside = [&](int body) { return std::find(members.begin(), members.end(), body) != members.end(); };
     for (const Contact& contact : solid.contacts[static_cast<std::size_t>(crossing.facet)]) {
+        // Faces that face each other are crossed from one solid into the other, flush faces into or out of both.
+        if ((inside(crossing.body) == inside(contact.other_solid)) != contact.flush) continue;
         if (!facet_covers(plan.solid(contact.other_solid), contact.other_facet, point, contact_margin * plan.length_scale)) continue;
         far.region = toggle(far.region, contact.other_solid);
         far.left = {contact.other_solid, contact.other_facet};

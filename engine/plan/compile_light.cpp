@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/compile_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/overloaded.h"
+#include "plan/compile_media.h"
+#include "spectrum/illuminant.h"
+#include "spectrum/rgb_spectrum.h"
+
+namespace pol {
+
+Sheet sheet_in_world(const Sheet& sheet, const DMat4& to_world) {
+    return std::visit(Overloaded{
+                          [&](const LinearPolarizer& p) -> Sheet { return LinearPolarizer{direction_to_world(to_world, p.axis)}; },
+                          [&](const Retarder& r) -> Sheet { return Retarder{direction_to_world(to_world, r.fast_axis), r.retardance}; },
+                          [](const CircularPolarizer& c) -> Sheet { return c; },
+                      },
+                      sheet);
+}
+
+namespace {
+
+/// Object of each emitter, in the order of plan.emitters.
+std::vector<int> emitter_objects(const Plan& plan) {
+    std::vector<int> objects(plan.emitters.size());
+    for (const Surface& surface : plan.surfaces)
+        if (const auto* role = std::get_if<EmitterRole>(&surface.role)) objects[static_cast<std::size_t>(role->emitter)] = surface.object;
+    return objects;
+}
+
+}  // namespace
+
+Result<std::vector<Dielectric<double>>> plate_crystals(const Scene& scene, const Plan& plan, double wavelength_nm) {
+    std::vector<Dielectric<double>> plates;
+    for (const int index : emitter_objects(plan)) {
+        const Object& object = scene.objects[static_cast<std::size_t>(index)];
+        const auto* plate = std::get_if<CrystalPlateState>(&std::get<Emission>(object.role).state);
+        if (plate == nullptr) {
+            plates.push_back(make_isotropic(1.0));
+            continue;
+        }
+        const auto medium = std::find_if(scene.media.begin(), scene.media.end(), [&](const Medium& m) { return m.name == plate->medium; });
+        if (medium == scene.media.end())
+            return at_place({ErrorKind::input, "unknown medium '" + plate->medium + "'", {}, "emission.polarization.crystal_plate.medium", {}},
+                            scene, object.place);
+        auto constants = medium_at(*medium, direction_to_world(object.to_world, plate->axis), wavelength_nm, scene.unit_nm);
+        if (!constants) return at_place(constants.error(), scene, object.place);
+        if (constants.value().dielectric.kind != MediumKind::uniaxial)
+            return at_place({ErrorKind::input, "the virtual plate's medium '" + plate->medium + "' has only one ray", {},
+                             "emission.polarization.crystal_plate.medium", "name a uniaxial medium with two different indices"},
+                            scene, object.place);
+        plates.push_back(constants.value().dielectric);
+    }
+    return plates;
+}
+
+bool same_plates(const Plan& plan, int group, const std::vector<Dielectric<double>>& plates) {
+    for (std::size_t i = 0; i < plates.size(); ++i)
+        if (const auto* plate = std::get_if<PlanCrystalPlate>(&plan.emitters[i].state);
+            plate != nullptr && !(plate->crystal[static_cast<std::size_t>(group)] == plates[i]))
+            return false;
+    return true;
+}
+
+void append_plates(Plan& plan, const std::vector<Dielectric<double>>& plates) {
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+        if (plates[i].kind != MediumKind::uniaxial) continue;
+        if (!std::holds_alternative<PlanCrystalPlate>(plan.emitters[i].state)) plan.emitters[i].state = PlanCrystalPlate{};
+        std::get<PlanCrystalPlate>(plan.emitters[i].state).crystal.push_back(plates[i]);
+    }
+}
+
+namespace {
+
+/// Radiance per wavelength and its largest value per wavelength.
+struct CompiledRadiance {
+    std::variant<std::vector<double>, PlanTexture> radiance;
+    std::vector<double> largest;
+};
+
+Result<CompiledRadiance> compile_radiance(const Radiance& radiance, const std::vector<double>& wavelengths) {
+    CompiledRadiance out;
+    if (const auto* spectrum = std::get_if<Spectrum>(&radiance)) {
+        for (const double nm : wavelengths) {
+            const auto value = evaluate(*spectrum, nm);
+            if (!value) return value.error();
+            out.largest.push_back(value.value());
+        }
+        out.radiance = out.largest;
+        return out;
+    }
+    const auto& textured = std::get<TexturedRadiance>(radiance);
+    PlanTexture texture{textured.image, {}};
+    for (const double nm : wavelengths) {
+        const auto basis = rgb_basis_at(nm);
+        if (!basis) return basis.error();
+        for (std::size_t c = 0; c < 3; ++c) texture.basis[c].push_back(textured.scale * basis.value()[c]);
+    }
+    for (std::size_t w = 0; w < wavelengths.size(); ++w) {
+        double largest = 0.0;
+        for (std::size_t i = 0; i + 2 < textured.image->rgb.size(); i += 3) {
+            double value = 0.0;
+            for (std::size_t c = 0; c < 3; ++c) value += static_cast<double>(textured.image->rgb[i + c]) * texture.basis[c][w];
+            largest = std::max(largest, value);
+        }
+        out.largest.push_back(largest);
+    }
+    out.radiance = std::move(texture);
+    return out;
+}
+
+/// Twice the largest eigenvalue of the emitted coherence matrix per unit radiance.
+double brightest_per_radiance(const EmittedState& state) {
+    return std::visit(Overloaded{
+                          [](const Unpolarized&) { return 1.0; },
+                          [](const FixedState& s) { return 1.0 + std::sqrt(s.s1 * s.s1 + s.s2 * s.s2 + s.s3 * s.s3); },
+                          [](const CrystalPlateState&) { return 1.0; },  // half the radiance, fully polarized
+                      },
+                      state);
+}
+
+/// Smallest N^2 (physics.md 2.3) of any mode of the medium; for e waves N^2 = n_e^4 n_o^2 / n_r^4 with n_r between the two indices.
+double smallest_ray_index2(const Dielectric<double>& d) {
+    const double n_o2 = d.n * d.n;
+    if (d.kind != MediumKind::uniaxial) return n_o2;
+    const double n_e2 = d.n_e * d.n_e;
+    return std::min(n_o2, n_e2 * n_e2 / n_o2);
+}
+
+Result<Done> refuse_polarized_in_crystal(const Scene& scene, const Plan& plan, int body, const Object& object) {
+    for (const Region& region : plan.regions) {
+        const bool here = std::find(region.surfaces.begin(), region.surfaces.end(), body) != region.surfaces.end() ||
+                          std::find(region.caster_body.begin(), region.caster_body.end(), body) != region.caster_body.end();
+        if (here && plan.groups[0].media[static_cast<std::size_t>(region.medium)].dielectric.kind == MediumKind::uniaxial)
+            return at_place({ErrorKind::input, "polarized emitter '" + object.name + "' reaches into a crystal, whose modes fix the polarization", {},
+                             "emission.polarization", "make it unpolarized or move it out of the crystal"},
+                            scene, object.place);
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Result<Done> compile_light(const Scene& scene, Plan& plan) {
+    plan.brightest.assign(plan.wavelengths_nm.size(), 0.0);
+    for (const double nm : plan.wavelengths_nm) {
+        const auto value = evaluate(scene.background.radiance, nm);
+        if (!value) return at_place(value.error(), scene, scene.background.place);
+        plan.background.push_back(value.value());
+    }
+    // Radiance seen from a camera in a dense medium grows with n^2.
+    std::vector<double> largest_factor(plan.wavelengths_nm.size(), 1.0);
+    for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
+        const auto& media = plan.groups[static_cast<std::size_t>(plan.group_of_wavelength[w])].media;
+        double smallest = smallest_ray_index2(media[0].dielectric);
+        double camera = smallest;
+        for (std::size_t r = 0; r < plan.regions.size(); ++r) {
+            const auto& d = media[static_cast<std::size_t>(plan.regions[r].medium)].dielectric;
+            if (d.kind != MediumKind::conductor) smallest = std::min(smallest, smallest_ray_index2(d));
+            if (static_cast<int>(r) == plan.camera_region) camera = d.n * d.n;
+            if (plan.camera_region < 0) camera = std::max(camera, d.n * d.n);
+        }
+        largest_factor[w] = camera / smallest;
+        plan.brightest[w] = plan.background[w] * largest_factor[w];
+    }
+    for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
+        const auto* role = std::get_if<EmitterRole>(&plan.surfaces[i].role);
+        if (role == nullptr) continue;
+        const Object& object = scene.objects[static_cast<std::size_t>(plan.surfaces[i].object)];
+        const auto& emission = std::get<Emission>(object.role);
+        Emitter& emitter = plan.emitters[static_cast<std::size_t>(role->emitter)];
+        if (std::holds_alternative<TexturedRadiance>(emission.radiance) && !std::holds_alternative<OpenSurface>(plan.surfaces[i].shape))
+            return at_place({ErrorKind::input, "textured emitter '" + object.name + "' is not flat", {}, "emission.radiance.texture",
+                             "textures are for rectangles and disks"},
+                            scene, object.place);
+        auto radiance = compile_radiance(emission.radiance, plan.wavelengths_nm);
+        if (!radiance) return at_place(radiance.error(), scene, object.place);
+        emitter.radiance = std::move(radiance.value().radiance);
+        emitter.two_sided = emission.two_sided;
+        if (!std::holds_alternative<Unpolarized>(emission.state)) {
+            const int body = plan.solid_count() + static_cast<int>(i);
+            if (auto done = refuse_polarized_in_crystal(scene, plan, body, object); !done) return done.error();
+        }
+        if (const auto* fixed = std::get_if<FixedState>(&emission.state))
+            emitter.state = PlanFixedState{fixed->s1, fixed->s2, fixed->s3, direction_to_world(object.to_world, fixed->x_axis)};
+        if (const auto* plate = std::get_if<CrystalPlateState>(&emission.state)) {
+            auto& compiled = std::get<PlanCrystalPlate>(emitter.state);
+            compiled.passed = plate->passed;
+            compiled.fresnel = plate->fresnel;
+        }
+        for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
+            emitter.brightest.push_back(radiance.value().largest[w] * brightest_per_radiance(emission.state));
+            plan.brightest[w] = std::max(plan.brightest[w], emitter.brightest[w] * largest_factor[w]);
+        }
+    }
+    return Done{};
+}
+
+}  // namespace pol

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/list_features.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace pol {
+
+namespace {
+
+/// "a, b and 3 more"
+std::string join(const std::vector<std::string>& names) {
+    std::string text;
+    constexpr std::size_t shown = 3;
+    for (std::size_t i = 0; i < names.size() && i < shown; ++i) text += (i > 0 ? ", " : "") + names[i];
+    if (names.size() > shown) text += " and " + std::to_string(names.size() - shown) + " more";
+    return text;
+}
+
+/// Names of the solids whose medium has a property in some wavelength group.
+std::vector<std::string> solids_with(const Plan& plan, const std::function<bool(const MediumAt&)>& property) {
+    std::vector<std::string> names;
+    for (const Solid& solid : plan.solids) {
+        const bool any = std::any_of(plan.groups.begin(), plan.groups.end(), [&](const WavelengthGroup& group) {
+            return property(group.media[static_cast<std::size_t>(solid.medium)]);
+        });
+        if (any) names.push_back(solid.name);
+    }
+    return names;
+}
+
+template <class Role>
+std::vector<std::string> surfaces_with(const Plan& plan) {
+    std::vector<std::string> names;
+    for (const Surface& surface : plan.surfaces)
+        if (std::holds_alternative<Role>(surface.role)) names.push_back(surface.name);
+    return names;
+}
+
+class Account {
+public:
+    void add(const std::string& name, const std::vector<std::string>& users, const std::string& use, const std::string& why_not) {
+        list.push_back({name, !users.empty(), users.empty() ? why_not : use + join(users)});
+    }
+    std::vector<Feature> list;
+};
+
+void account_for_matter(const Plan& plan, Account& account) {
+    std::vector<std::string> dispersive;
+    if (plan.groups.size() > 1) {
+        for (const Solid& solid : plan.solids) {
+            const auto m = static_cast<std::size_t>(solid.medium);
+            const bool varies = std::any_of(plan.groups.begin(), plan.groups.end(),
+                                            [&](const WavelengthGroup& g) { return !(g.media[m] == plan.groups[0].media[m]); });
+            if (varies) dispersive.push_back(solid.name);
+        }
+        if (dispersive.empty()) dispersive.emplace_back("a virtual crystal plate");
+    }
+    const std::string trees = std::to_string(plan.groups.size());
+    account.add("dispersion", dispersive, trees + " trees for " + std::to_string(plan.wavelengths_nm.size()) + " wavelengths: ",
+                plan.wavelengths_nm.size() == 1 ? "one wavelength asked" : "no medium changes with wavelength: one tree serves all");
+    account.add("crystals (o and e rays)", solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::uniaxial; }),
+                "double refraction in ", "no medium with two different indices");
+    account.add("metals", solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::conductor; }),
+                "complex index of ", "no conductor");
+    account.add("absorption along rays", solids_with(plan, [](const MediumAt& m) { return m.absorption.absorbs(); }), "Beer-Lambert in ",
+                "no medium absorbs");
+    account.add("polarizers and retarders", surfaces_with<SheetRole>(plan), "", "no sheets");
+}
+
+void account_for_geometry(const Plan& plan, Account& account) {
+    std::vector<std::string> half_spaces;
+    std::vector<std::string> spheres;
+    std::vector<std::string> meshes;
+    std::vector<std::string> touching;
+    for (const Solid& solid : plan.solids) {
+        if (std::holds_alternative<HalfSpaceSolid>(solid.shape)) half_spaces.push_back(solid.name);
+        if (std::holds_alternative<Sphere>(solid.shape)) spheres.push_back(solid.name);
+        if (std::holds_alternative<MeshBody>(solid.shape)) meshes.push_back(solid.name);
+        if (!solid.contacts.empty()) touching.push_back(solid.name);
+    }
+    for (const Surface& surface : plan.surfaces)
+        if (std::holds_alternative<MeshBody>(surface.shape)) meshes.push_back(surface.name);
+    std::vector<std::string> nested;
+    for (const Region& region : plan.regions)
+        if (region.members.size() > 1)
+            for (const int member : region.members)
+                if (std::find(nested.begin(), nested.end(), plan.solid(member).name) == nested.end())
+                    nested.push_back(plan.solid(member).name);
+    account.add("half-space solids", half_spaces, "exact planes in double: ", "no flat convex solid");
+    account.add("analytic spheres", spheres, "", "no sphere");
+    account.add("Embree scene", meshes, "meshes that are not convex or not closed: ", "flat convex solids, spheres and flat surfaces need none");
+    account.add("shared faces", touching, "touching solids become one interface: ", "no two solids touch");
+    account.add("nested or overlapping media", nested, "", "no solid lies inside another");
+}
+
+void account_for_light(const Scene& scene, const Plan& plan, Account& account) {
+    std::vector<std::string> textured;
+    std::vector<std::string> polarized;
+    for (const Object& object : scene.objects) {
+        const auto* emission = std::get_if<Emission>(&object.role);
+        if (emission == nullptr) continue;
+        if (std::holds_alternative<TexturedRadiance>(emission->radiance)) textured.push_back(object.name);
+        if (!std::holds_alternative<Unpolarized>(emission->state)) polarized.push_back(object.name);
+    }
+    account.add("textured emission", textured, "", "no emitter has a texture");
+    account.add("polarized emission", polarized, "", "every emitter is unpolarized");
+    const bool lit = std::any_of(plan.background.begin(), plan.background.end(), [](double v) { return v != 0.0; });
+    account.list.push_back({"background light", lit, lit ? "uniform surroundings" : "black surroundings"});
+    const bool area = plan.settings.mode == SampleMode::area;
+    account.list.push_back({"pixel area sampling", area, area ? "quasi-random over each pixel" : "point mode: one ray through the pixel centre"});
+    const bool depth = plan.settings.depth.has_value();
+    account.list.push_back({"depth limit", depth, depth ? "the paper's mode: depth " + std::to_string(*plan.settings.depth) : "trees are cut by energy"});
+}
+
+}  // namespace
+
+Features list_features(const Scene& scene, const Plan& plan) {
+    Account account;
+    account_for_matter(plan, account);
+    account_for_geometry(plan, account);
+    account_for_light(scene, plan, account);
+    Features features;
+    const auto needed = [&](const std::string& name) {
+        return std::any_of(account.list.begin(), account.list.end(), [&](const Feature& f) { return f.name == name && f.needed; });
+    };
+    features.anisotropic = needed("crystals (o and e rays)");
+    features.meshes = needed("Embree scene");
+    features.absorbing = std::any_of(plan.groups.begin(), plan.groups.end(), [](const WavelengthGroup& group) {
+        return std::any_of(group.media.begin(), group.media.end(), [](const MediumAt& m) { return m.absorption.absorbs(); });
+    });
+    features.kernel = std::string(features.anisotropic ? "anisotropic" : "isotropic") + (features.absorbing ? ", absorbing" : ", lossless");
+    features.list = std::move(account.list);
+    return features;
+}
+
+}  // namespace pol

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// One pass over one tile with the kernel that the plan chose.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "film/film.h"
+#include "plan/plan.h"
+#include "render/renderer.h"
+
+namespace pol {
+
+/// A worker's tracer; keeps its memory between tiles. Not for sharing between threads.
+class PassTracer {
+public:
+    virtual ~PassTracer() = default;
+    /// Traces samples first..last-1 of every pixel of buffer.rect into the buffer. Returns early, with a buffer of no
+    /// use, once `cancelled` is set.
+    virtual RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled, TileBuffer& buffer) = 0;
+};
+
+/// The kernel instance for the plan's features. The plan must outlive it.
+std::unique_ptr<PassTracer> make_pass_tracer(const Plan& plan);
+
+}  // namespace pol

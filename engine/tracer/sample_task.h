@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "core/random.h"
+#include "core/vec.h"
+#include "plan/plan.h"
+#include "tracer/trace.h"
+
+namespace pol {
+
+/// Where in its pixel a sample lies, (0,0) top left to (1,1). Sample 0 is always the centre, so that a click shows the same
+/// tree in both modes. The others follow the R2 sequence (M. Roberts, "The unreasonable effectiveness of
+/// quasirandom sequences", 2018), shifted at random per pixel.
+inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample) {
+    if (mode == SampleMode::point || sample == 0) return {0.5, 0.5};
+    constexpr double step_x = 0.7548776662466927;   // 1/p, p^3 = p + 1
+    constexpr double step_y = 0.5698402909980532;   // 1/p^2
+    const RandomKey key{seed, pixel, 0, 0};
+    const double x = random_unit(key, 0) + step_x * static_cast<double>(sample);
+    const double y = random_unit(key, 1) + step_y * static_cast<double>(sample);
+    return {x - std::floor(x), y - std::floor(y)};
+}
+
+/// The sample of a pixel, as the picture and the explanation both trace it.
+inline TraceTask sample_task(const Plan& plan, int x, int y, std::uint32_t sample, int group) {
+    const auto pixel = static_cast<std::uint32_t>(y * plan.settings.width + x);
+    const DVec2 inside = sample_position(plan.settings.mode, plan.settings.seed, pixel, sample);
+    TraceTask task;
+    task.ray = plan.camera.ray(x + inside.x, y + inside.y);
+    task.group = group;
+    task.region = plan.camera_region >= 0 ? plan.camera_region : plan.region_at(task.ray.origin);
+    task.key = {plan.settings.seed, pixel, sample, static_cast<std::uint32_t>(group)};
+    return task;
+}
+
+}  // namespace pol
