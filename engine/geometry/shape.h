@@ -17,8 +17,8 @@ namespace pol {
 struct BrilliantShape {
     double diameter = 2.0;
     double table_ratio = 0.57;                   ///< table diameter / girdle diameter
-    double crown_angle = 0.6021385919380437;     ///< 34.5 degrees
-    double pavilion_angle = 0.7112093345185846;  ///< 40.75 degrees
+    double crown_angle = 0.6021385919380436;     ///< 34.5 degrees
+    double pavilion_angle = 0.7112216701876893;  ///< 40.75 degrees
     double girdle_ratio = 0.03;                  ///< girdle thickness / diameter
     double star_length = 0.55;                   ///< of the way from table to girdle, seen from above
     double lower_half_length = 0.77;             ///< of the way from girdle to culet
