@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene_hash.h"
 
-#include <array>
 #include <bit>
 #include <cstdint>
-#include <fstream>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -57,15 +56,15 @@ std::string digest_of(const RgbImage& image) {
     return digest.hex();
 }
 
-Result<std::string> digest_of_file(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
+std::string digest_of(const Mesh& mesh) {
     Digest digest;
-    std::array<char, 1 << 16> block{};
-    while (stream) {
-        stream.read(block.data(), block.size());
-        digest.add(std::string_view(block.data(), static_cast<std::size_t>(stream.gcount())));
+    digest.add(mesh.vertices.size());
+    for (const DVec3& vertex : mesh.vertices) {
+        for (int i = 0; i < 3; ++i) digest.add(std::bit_cast<std::uint64_t>(vertex[i]));
     }
-    if (!stream.eof()) return Error{ErrorKind::input, "cannot be read", {path, 0, 0}, {}, "check that the file exists"};
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle) digest.add(std::uint64_t{corner});
+    }
     return digest.hex();
 }
 
@@ -75,7 +74,7 @@ void forget_record_name(RefractiveIndex& index) {
 
 }  // namespace
 
-Result<std::string> scene_hash(const Scene& scene) {
+std::string scene_hash(const Scene& scene) {
     // The canonical dump is the saved scene with contents in place of the names of files.
     Scene content = scene;
     content.title.clear();
@@ -88,11 +87,8 @@ Result<std::string> scene_hash(const Scene& scene) {
         }
     }
     for (Object& object : content.objects) {
-        if (auto* mesh = std::get_if<MeshShape>(&object.shape)) {
-            Result<std::string> digest = digest_of_file(mesh->path);
-            if (!digest) return digest.error();
-            mesh->path = digest.value();
-        }
+        if (auto* shape = std::get_if<MeshShape>(&object.shape))
+            shape->path = shape->mesh ? digest_of(*shape->mesh) : "";
         if (auto* emission = std::get_if<Emission>(&object.role)) {
             auto* textured = std::get_if<TexturedRadiance>(&emission->radiance);
             if (textured != nullptr) textured->path = textured->image ? digest_of(*textured->image) : "";

@@ -3,15 +3,13 @@
 
 #include <string>
 
-#include "core/result.h"
 #include "scene/scene.h"
 
 namespace pol {
 
 /// 128-bit fingerprint of everything that the picture depends on, as 32 hexadecimal digits: all values of the scene,
-/// the indices themselves (not the names of their records), the texels of textures and the bytes of mesh files. Not the
+/// the indices themselves (not the names of their records), the texels of textures and the triangles of meshes. Not the
 /// title, nor file names, nor where in the file a thing stands. Equal on all machines. Not a defence against forgery.
-/// Error (kind input) if a mesh file cannot be read.
-Result<std::string> scene_hash(const Scene& scene);
+std::string scene_hash(const Scene& scene);
 
 }  // namespace pol

@@ -62,13 +62,7 @@ RefractiveIndex read_record(const YamlValue& value, const std::string& name, con
     if (is_path) source = find_asset(value, folders, "refractive_index").string();
     Result<RefractiveIndex> index = load_index(source, folders.assets);
     if (index) return std::move(index).value();
-    Error error = index.error();
-    // A malformed record is reported where it is malformed, a missing one where it is asked for.
-    if (error.place.file.empty() || error.place.line == 0) {
-        error.place = value.message_place();
-        error.field = value.path();
-    }
-    throw YamlComplaint{error};
+    fail_because_of(value, index.error());
 }
 
 Spectrum optional_spectrum(const YamlMap& map, const char* key) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/units.h"
+#include "io/mesh_file.h"
 #include "io/scene_reader.h"
 #include "io/texture_file.h"
 
@@ -127,7 +128,7 @@ Radiance read_radiance(const YamlValue& value, const AssetFolders& folders) {
     radiance.path = find_asset(file, folders, "textures").string();
     if (const auto scale = textured.find("scale")) radiance.scale = scale->number();
     Result<RgbImage> image = load_texture(radiance.path);
-    if (!image) file.fail("cannot use the texture: " + to_string(image.error()), "name a PNG file that opens");
+    if (!image) fail_because_of(file, image.error());
     radiance.image = std::make_shared<const RgbImage>(std::move(image).value());
     return radiance;
 }
@@ -179,6 +180,18 @@ std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& fol
                "looked beside the scene file, then in assets/" + kind + " and assets");
 }
 
+void fail_because_of(const YamlValue& value, Error error) {
+    if (error.place.line == 0) {
+        if (!error.place.file.empty()) {
+            error.what = std::filesystem::path(error.place.file).filename().string() + ": " + error.what;
+        }
+        error.place = value.message_place();
+        error.field = value.path();
+    }
+    error.kind = ErrorKind::input;
+    throw YamlComplaint{std::move(error)};
+}
+
 Shape read_shape(const YamlValue& value, const AssetFolders& folders) {
     const auto [kind, content] =
         value.tagged({"brilliant", "box", "extrusion", "prism", "rhomb", "sphere", "rectangle", "disk", "mesh"});
@@ -196,7 +209,12 @@ Shape read_shape(const YamlValue& value, const AssetFolders& folders) {
     if (kind == "sphere") return SphereShape{content.map({"radius"}).at("radius").number()};
     if (kind == "rectangle") return RectangleShape{read_size<DVec2>(content.map({"size"}).at("size"))};
     if (kind == "disk") return DiskShape{content.map({"radius"}).at("radius").number()};
-    return MeshShape{find_asset(content.map({"file"}).at("file"), folders, "scenes").string()};
+    const YamlValue file = content.map({"file"}).at("file");
+    MeshShape shape{find_asset(file, folders, "scenes").string(), nullptr};
+    Result<Mesh> mesh = load_mesh(shape.path);
+    if (!mesh) fail_because_of(file, mesh.error());
+    shape.mesh = std::make_shared<const Mesh>(std::move(mesh).value());
+    return shape;
 }
 
 DMat4 read_transform(const YamlValue& value) {

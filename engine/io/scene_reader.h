@@ -20,6 +20,9 @@ struct AssetFolders {
 /// Absolute path of the file that `value` names: beside the scene, in assets/`kind`, or in assets.
 std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& folders, const std::string& kind);
 
+/// Passes on what is wrong with a file that `value` names: at the line in that file if it has lines, else at `value`.
+[[noreturn]] void fail_because_of(const YamlValue& value, Error error);
+
 Spectrum read_spectrum(const YamlValue& value);
 RefractiveIndex read_index(const YamlValue& value, const AssetFolders& folders);
 Medium read_medium(const std::string& name, const YamlValue& value, const AssetFolders& folders);

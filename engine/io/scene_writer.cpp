@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/number_text.h"
 #include "core/overloaded.h"
 #include "core/units.h"
 #include "io/assets.h"
@@ -15,18 +14,11 @@
 namespace pol {
 namespace {
 
-/// Shortest text that reads back as the same double.
-std::string text_of(double value) {
-    std::array<char, 40> buffer{};
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return error == std::errc{} ? std::string(buffer.data(), end) : std::string();
-}
-
 /// Degrees if they read back as the same radians, else radians.
 std::string angle_text(double angle_rad) {
     const double angle_deg = degrees(angle_rad);
-    if (radians(angle_deg) == angle_rad) return text_of(angle_deg);
-    return text_of(angle_rad) + " rad";
+    if (radians(angle_deg) == angle_rad) return number_text(angle_deg);
+    return number_text(angle_rad) + " rad";
 }
 
 std::string quoted(const std::string& text) {
@@ -56,7 +48,7 @@ std::string list_text(const std::vector<std::string>& items) {
 
 std::string list_text(const std::vector<double>& values) {
     std::vector<std::string> items;
-    for (const double value : values) items.push_back(text_of(value));
+    for (const double value : values) items.push_back(number_text(value));
     return list_text(items);
 }
 
@@ -77,8 +69,8 @@ std::string table_text(const std::vector<double>& x, const std::vector<double>& 
 std::string spectrum_text(const Spectrum& spectrum) {
     return std::visit(
         Overloaded{
-            [](const ConstantSpectrum& s) { return text_of(s.value); },
-            [](const D65Spectrum& s) { return "{d65: " + text_of(s.scale) + "}"; },
+            [](const ConstantSpectrum& s) { return number_text(s.value); },
+            [](const D65Spectrum& s) { return "{d65: " + number_text(s.scale) + "}"; },
             [](const TabulatedSpectrum& s) { return "{table: " + table_text(s.wavelength_nm, s.value) + "}"; },
         },
         spectrum);
@@ -128,29 +120,30 @@ std::string shape_text(const Shape& shape) {
     return std::visit(
         Overloaded{
             [](const BrilliantShape& s) {
-                return "{brilliant: {diameter: " + text_of(s.diameter) + ", table_ratio: " + text_of(s.table_ratio) +
-                       ", crown_angle: " + angle_text(s.crown_angle) +
+                return "{brilliant: {diameter: " + number_text(s.diameter) +
+                       ", table_ratio: " + number_text(s.table_ratio) + ", crown_angle: " + angle_text(s.crown_angle) +
                        ", pavilion_angle: " + angle_text(s.pavilion_angle) +
-                       ", girdle_ratio: " + text_of(s.girdle_ratio) + ", star_length: " + text_of(s.star_length) +
-                       ", lower_half_length: " + text_of(s.lower_half_length) + "}}";
+                       ", girdle_ratio: " + number_text(s.girdle_ratio) +
+                       ", star_length: " + number_text(s.star_length) +
+                       ", lower_half_length: " + number_text(s.lower_half_length) + "}}";
             },
             [](const BoxShape& s) { return "{box: {size: " + vec_text(s.size) + "}}"; },
             [](const ExtrusionShape& s) {
                 std::vector<std::string> corners;
                 for (const DVec2& corner : s.polygon) corners.push_back(vec_text(corner));
-                return "{extrusion: {polygon: " + list_text(corners) + ", height: " + text_of(s.height) + "}}";
+                return "{extrusion: {polygon: " + list_text(corners) + ", height: " + number_text(s.height) + "}}";
             },
             [](const PrismShape& s) {
-                return "{prism: {apex_angle: " + angle_text(s.apex_angle) + ", side: " + text_of(s.side) +
-                       ", height: " + text_of(s.height) + "}}";
+                return "{prism: {apex_angle: " + angle_text(s.apex_angle) + ", side: " + number_text(s.side) +
+                       ", height: " + number_text(s.height) + "}}";
             },
             [](const RhombShape& s) {
-                return "{rhomb: {angle: " + angle_text(s.angle) + ", aperture: " + text_of(s.aperture) +
-                       ", height: " + text_of(s.height) + "}}";
+                return "{rhomb: {angle: " + angle_text(s.angle) + ", aperture: " + number_text(s.aperture) +
+                       ", height: " + number_text(s.height) + "}}";
             },
-            [](const SphereShape& s) { return "{sphere: {radius: " + text_of(s.radius) + "}}"; },
+            [](const SphereShape& s) { return "{sphere: {radius: " + number_text(s.radius) + "}}"; },
             [](const RectangleShape& s) { return "{rectangle: {size: " + vec_text(s.size) + "}}"; },
-            [](const DiskShape& s) { return "{disk: {radius: " + text_of(s.radius) + "}}"; },
+            [](const DiskShape& s) { return "{disk: {radius: " + number_text(s.radius) + "}}"; },
             [](const MeshShape& s) { return "{mesh: {file: " + quoted(s.path) + "}}"; },
         },
         shape);
@@ -192,7 +185,7 @@ std::string emission_text(const Emission& emission) {
         std::visit(Overloaded{
                        [](const Spectrum& s) { return spectrum_text(s); },
                        [](const TexturedRadiance& t) {
-                           return "{texture: " + quoted(t.path) + ", scale: " + text_of(t.scale) + "}";
+                           return "{texture: " + quoted(t.path) + ", scale: " + number_text(t.scale) + "}";
                        },
                    },
                    emission.radiance);
@@ -223,7 +216,7 @@ std::string camera_text(const Camera& camera) {
     return std::string("camera:\n") + "  type: " + (perspective ? "perspective" : "orthographic") +
            "\n  position: " + vec_text(camera.position) + "\n  target: " + vec_text(camera.target) +
            "\n  up: " + vec_text(camera.up) +
-           (perspective ? "\n  fov: " + angle_text(camera.horizontal_fov) : "\n  width: " + text_of(camera.width)) +
+           (perspective ? "\n  fov: " + angle_text(camera.horizontal_fov) : "\n  width: " + number_text(camera.width)) +
            "\n";
 }
 
@@ -233,7 +226,7 @@ std::string render_text(const RenderSettings& render) {
     text += "  wavelengths: " + list_text(render.wavelengths_nm) + "\n";
     text += std::string("  mode: ") + (render.mode == SampleMode::area ? "area" : "point") + "\n";
     text += "  spp: " + std::to_string(render.samples_per_pixel) + "\n";
-    text += "  residual: " + text_of(render.residual) + "\n";
+    text += "  residual: " + number_text(render.residual) + "\n";
     if (render.depth) text += "  depth: " + std::to_string(*render.depth) + "\n";
     text += "  node_budget: " + std::to_string(render.node_budget) + "\n";
     return text + "  seed: " + std::to_string(render.seed) + "\n";
@@ -244,7 +237,7 @@ std::string render_text(const RenderSettings& render) {
 std::string save_scene(const Scene& scene) {
     std::string text;
     if (!scene.title.empty()) text += "title: " + quoted(scene.title) + "\n";
-    text += "unit: " + text_of(scene.unit_nm) + "  # nm\n";
+    text += "unit: " + number_text(scene.unit_nm) + "  # nm\n";
     text += camera_text(scene.camera);
     text += render_text(scene.render);
     text += "background: " + spectrum_text(scene.background.radiance) + "\n";

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/units.h"
 #include "scene/check_rules.h"
 #include "spectrum/illuminant.h"
+#include "spectrum/wavelength_grid.h"
 
 namespace pol {
 namespace {
@@ -42,14 +44,10 @@ void check_render(SceneCheck& check) {
     check.require(sides, "render.size", "each side must have 1 to 65536 pixels", "for example [512, 512]");
     check.require(static_cast<double>(render.width) * static_cast<double>(render.height) <= max_picture_pixels,
                   "render.size", "the picture has more than 2^31 pixels", "for example [512, 512]");
-    check.require(!render.wavelengths_nm.empty(), "render.wavelengths", "there must be at least one wavelength",
-                  "for example 580");
-    for (const double nm : render.wavelengths_nm) {
-        check.require(nm > 0.0 && nm <= 1e6, "render.wavelengths", "must lie between 0 and 1e6 nm", "for example 580");
+    const Result<std::vector<double>> wavelengths = checked_wavelengths(render.wavelengths_nm);
+    if (!wavelengths) {
+        check.require(false, "render.wavelengths", wavelengths.error().what, wavelengths.error().hint);
     }
-    const bool ascending =
-        std::is_sorted(render.wavelengths_nm.begin(), render.wavelengths_nm.end(), std::less_equal<>());
-    check.require(ascending, "render.wavelengths", "must ascend", "sort them and leave out repeated ones");
     check.require(render.samples_per_pixel >= 1 && render.samples_per_pixel <= 1 << 24, "render.spp",
                   "must lie between 1 and 16777216", "1 to 64 is usual");
     check.require(render.residual >= 0.0 && render.residual <= 1.0, "render.residual", "must lie between 0 and 1",

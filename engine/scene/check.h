@@ -17,8 +17,8 @@ inline constexpr double min_length = 1e-15;
 inline constexpr double max_length = 1e15;
 
 /// The first thing in `scene` that cannot be rendered, or nothing. Looks at values only: ranges, names, and whether
-/// every spectrum and index in use covers the wavelengths of `scene.render`. Overlapping solids and holes in meshes are
-/// found when the scene is compiled.
+/// every spectrum and index in use covers the wavelengths of `scene.render`. Overlapping solids are found when the
+/// scene is compiled.
 ///
 /// The error has kind input, a field path as in the scene file ("objects[2].medium", "media.glass.index"), a hint, and
 /// the place of the object or medium if it came from a file.

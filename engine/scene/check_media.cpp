@@ -65,7 +65,7 @@ void require_medium(SceneCheck& check, const std::string& name, const std::strin
         hint = "did you mean '" + std::string(*nearest) + "'?";
     } else if (!known.empty()) {
         hint += "; defined there:";
-        for (const std::string_view word : known) hint += " " + std::string(word);
+        for (const std::string_view word : known) hint.append(" ").append(word);
     }
     check.require(false, field, "there is no medium called '" + name + "'", hint);
 }

@@ -6,6 +6,7 @@
 
 #include "core/overloaded.h"
 #include "core/units.h"
+#include "geometry/mesh_check.h"
 #include "scene/check_rules.h"
 
 namespace pol {
@@ -26,50 +27,59 @@ void require_share(SceneCheck& check, double share, const std::string& field) {
 }
 
 void check_shape(SceneCheck& check, const Shape& shape, const std::string& field) {
-    std::visit(
-        Overloaded{
-            [&](const BrilliantShape& s) {
-                const std::string name = field + ".brilliant";
-                check.require_size(s.diameter, name + ".diameter");
-                require_share(check, s.table_ratio, name + ".table_ratio");
-                require_angle(check, s.crown_angle, 90.0, name + ".crown_angle");
-                require_angle(check, s.pavilion_angle, 90.0, name + ".pavilion_angle");
-                require_share(check, s.girdle_ratio, name + ".girdle_ratio");
-                require_share(check, s.star_length, name + ".star_length");
-                require_share(check, s.lower_half_length, name + ".lower_half_length");
-            },
-            [&](const BoxShape& s) {
-                for (int i = 0; i < 3; ++i) check.require_size(s.size[i], field + ".box.size");
-            },
-            [&](const ExtrusionShape& s) {
-                check.require(s.polygon.size() >= 3, field + ".extrusion.polygon", "needs at least three corners",
-                              "write [[x, y], [x, y], [x, y]] counter-clockwise");
-                for (const DVec2& p : s.polygon) {
-                    check.require_position({p.x, p.y, 0.0}, field + ".extrusion.polygon");
-                }
-                check.require_size(s.height, field + ".extrusion.height");
-            },
-            [&](const PrismShape& s) {
-                require_angle(check, s.apex_angle, 180.0, field + ".prism.apex_angle");
-                check.require_size(s.side, field + ".prism.side");
-                check.require_size(s.height, field + ".prism.height");
-            },
-            [&](const RhombShape& s) {
-                require_angle(check, s.angle, 90.0, field + ".rhomb.angle");
-                check.require_size(s.aperture, field + ".rhomb.aperture");
-                check.require_size(s.height, field + ".rhomb.height");
-            },
-            [&](const SphereShape& s) { check.require_size(s.radius, field + ".sphere.radius"); },
-            [&](const RectangleShape& s) {
-                check.require_size(s.size.x, field + ".rectangle.size");
-                check.require_size(s.size.y, field + ".rectangle.size");
-            },
-            [&](const DiskShape& s) { check.require_size(s.radius, field + ".disk.radius"); },
-            [&](const MeshShape& s) {
-                check.require(!s.path.empty(), field + ".mesh.file", "has no file", "name an OBJ, PLY, STL or glTF");
-            },
-        },
-        shape);
+    std::visit(Overloaded{
+                   [&](const BrilliantShape& s) {
+                       const std::string name = field + ".brilliant";
+                       check.require_size(s.diameter, name + ".diameter");
+                       require_share(check, s.table_ratio, name + ".table_ratio");
+                       require_angle(check, s.crown_angle, 90.0, name + ".crown_angle");
+                       require_angle(check, s.pavilion_angle, 90.0, name + ".pavilion_angle");
+                       require_share(check, s.girdle_ratio, name + ".girdle_ratio");
+                       require_share(check, s.star_length, name + ".star_length");
+                       require_share(check, s.lower_half_length, name + ".lower_half_length");
+                   },
+                   [&](const BoxShape& s) {
+                       for (int i = 0; i < 3; ++i) check.require_size(s.size[i], field + ".box.size");
+                   },
+                   [&](const ExtrusionShape& s) {
+                       check.require(s.polygon.size() >= 3, field + ".extrusion.polygon",
+                                     "needs at least three corners",
+                                     "write [[x, y], [x, y], [x, y]] counter-clockwise");
+                       for (const DVec2& p : s.polygon) {
+                           check.require_position({p.x, p.y, 0.0}, field + ".extrusion.polygon");
+                       }
+                       check.require_size(s.height, field + ".extrusion.height");
+                   },
+                   [&](const PrismShape& s) {
+                       require_angle(check, s.apex_angle, 180.0, field + ".prism.apex_angle");
+                       check.require_size(s.side, field + ".prism.side");
+                       check.require_size(s.height, field + ".prism.height");
+                   },
+                   [&](const RhombShape& s) {
+                       require_angle(check, s.angle, 90.0, field + ".rhomb.angle");
+                       check.require_size(s.aperture, field + ".rhomb.aperture");
+                       check.require_size(s.height, field + ".rhomb.height");
+                   },
+                   [&](const SphereShape& s) { check.require_size(s.radius, field + ".sphere.radius"); },
+                   [&](const RectangleShape& s) {
+                       check.require_size(s.size.x, field + ".rectangle.size");
+                       check.require_size(s.size.y, field + ".rectangle.size");
+                   },
+                   [&](const DiskShape& s) { check.require_size(s.radius, field + ".disk.radius"); },
+                   [&](const MeshShape& s) {
+                       check.require(s.mesh != nullptr && !s.mesh->triangles.empty(), field + ".mesh.file", "is empty",
+                                     "name an OBJ, PLY, STL or glTF file");
+                   },
+               },
+               shape);
+}
+
+void check_filled_mesh(SceneCheck& check, const Shape& shape, const std::string& field) {
+    const auto* mesh = std::get_if<MeshShape>(&shape);
+    if (mesh == nullptr || mesh->mesh == nullptr || check.failed()) return;
+    const Result<Done> closed = check_closed(*mesh->mesh);
+    if (!closed)
+        check.require(false, field, "is not the surface of a solid: " + closed.error().what, closed.error().hint);
 }
 
 void check_transform(SceneCheck& check, const DMat4& to_world, const std::string& field) {
@@ -116,8 +126,8 @@ void check_emission(SceneCheck& check, const Emission& emission, const Shape& sh
         check_spectrum(check, *spectrum, scene.render.wavelengths_nm, field + ".radiance");
     }
     if (const auto* textured = std::get_if<TexturedRadiance>(&emission.radiance)) {
-        check.require(std::holds_alternative<RectangleShape>(shape), field + ".radiance",
-                      "only a rectangle can carry a texture", "use {rectangle: {size: ...}} or a uniform radiance");
+        check.require(is_flat_sheet(shape), field + ".radiance", "only a rectangle or a disk can carry a texture",
+                      "use {rectangle: {size: ...}} or a uniform radiance");
         check.require(textured->image != nullptr && textured->image->width > 0 && textured->image->height > 0,
                       field + ".radiance.texture", "the texture is empty", "name a PNG file");
         check_spectrum(check, D65Spectrum{textured->scale}, scene.render.wavelengths_nm, field + ".radiance.scale");
@@ -159,6 +169,7 @@ void check_objects(SceneCheck& check) {
                            check.require(!is_flat_sheet(object.shape), field + ".medium",
                                          "a rectangle or disk encloses nothing that could be filled",
                                          "use a closed shape such as a thin box");
+                           check_filled_mesh(check, object.shape, field + ".shape.mesh.file");
                        },
                        [&](const Emission& role) { check_emission(check, role, object.shape, field + ".emission"); },
                        [&](const Sheet& role) { check_sheet(check, role, object.shape, field + ".sheet"); },
