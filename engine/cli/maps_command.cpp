@@ -2,7 +2,6 @@
 #include "cli/maps_command.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -53,11 +52,10 @@ Result<std::vector<Quantity>> wanted_quantities(const std::string& name) {
         return wanted;
     }
     if (const auto quantity = quantity_named(name)) return std::vector<Quantity>{*quantity};
-    std::vector<std::string_view> names;
-    for (const QuantityInfo& about : quantities()) names.push_back(about.name);
-    return usage_error(
-        "--map", fmt::format("there is no map '{}'", name),
-        fmt::format("did you mean {}? Maps: {}, all", info(nearest_quantity(name)).name, fmt::join(names, ", ")));
+    std::string names;
+    for (const QuantityInfo& about : quantities()) names += fmt::format("{}, ", about.name);
+    return usage_error("--map", fmt::format("there is no map '{}'", name),
+                       fmt::format("did you mean {}? Maps: {}all", info(nearest_quantity(name)).name, names));
 }
 
 Result<MapOptions> wanted_options(const Request& request) {
@@ -91,8 +89,10 @@ Result<std::size_t> wanted_wavelength(const StokesImage& image, std::optional<do
         return std::abs(a - target) < std::abs(b - target);
     });
     if (asked_nm && !(std::abs(*nearest - target) <= same_nm)) {
+        std::string list;
+        for (const double nm : known) list += fmt::format("{}{}", list.empty() ? "" : ", ", nm);
         return usage_error("--wavelength", fmt::format("the picture has no plane at {} nm", target),
-                           fmt::format("it has {} nm", fmt::join(known, ", ")));
+                           fmt::format("it has {} nm", list));
     }
     return static_cast<std::size_t>(nearest - known.begin());
 }

@@ -6,7 +6,6 @@
 #include <ImfStringAttribute.h>
 #include <ImfTestFile.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -115,18 +114,25 @@ Result<std::vector<std::string>> share_channels(const std::vector<std::string>& 
     return channels;
 }
 
+/// The first few names, for a message.
+std::string some_of(const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) {
+        if (i > 0) text += ", ";
+        text += names[i];
+    }
+    return names.size() > shown ? text + ", ..." : text;
+}
+
 Result<Layout> layout_of(const Imf::Header& header) {
     const std::vector<std::string> names = channel_names(header);
     Layout layout;
     for (std::size_t s = 0; s < layout.stokes.size(); ++s)
         layout.stokes[s] = layer_of(names, exr::stokes_layers[s].name);
     if (std::all_of(layout.stokes.begin(), layout.stokes.end(), [](const Layer& layer) { return layer.empty(); })) {
-        constexpr std::size_t shown = 12;
-        const std::vector<std::string> some(names.begin(),
-                                            names.begin() + static_cast<std::ptrdiff_t>(std::min(shown, names.size())));
-        return input_error(
-            fmt::format("no Stokes channels; found {}{}", fmt::join(some, ", "), names.size() > shown ? ", ..." : ""),
-            "expected S0.580,000000nm to S3.580,000000nm (Fichet, Pacanowski & Wilkie 2021)");
+        return input_error(fmt::format("no Stokes channels; found {}", some_of(names)),
+                           "expected S0.580,000000nm to S3.580,000000nm (Fichet, Pacanowski & Wilkie 2021)");
     }
     for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
         for (const Layer& other : layout.stokes) {

@@ -6,7 +6,6 @@
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -79,26 +78,26 @@ void add_share_channels(std::vector<FloatChannel>& channels, const StokesImage& 
     }
     for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
         const std::size_t offset = w * image.pixel_count();
-        channels.push_back({layer + "." + wavelength_suffix(image.wavelengths_nm[w]), Imf::FLOAT,
+        channels.push_back({fmt::format("{}.{}", layer, wavelength_suffix(image.wavelengths_nm[w])), Imf::FLOAT,
                             [&planes, offset](std::size_t pixel) { return planes[offset + pixel]; }});
     }
 }
 
 /// The channels refer to `image` and `preview`.
-Channels channels_of(const StokesImage& image, const std::vector<LinearRgb>& preview) {
+Channels channels_of(const StokesImage& image, const std::vector<Rgb>& preview) {
     Channels channels;
     for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
-        const std::string suffix = "." + wavelength_suffix(image.wavelengths_nm[w]);
+        const std::string suffix = wavelength_suffix(image.wavelengths_nm[w]);
         for (const exr::StokesLayer& layer : exr::stokes_layers) {
-            channels.numbers.push_back({layer.name + suffix, Imf::FLOAT, [&image, w, layer](std::size_t pixel) {
-                                            return image.at(w, pixel).*layer.component;
-                                        }});
+            channels.numbers.push_back(
+                {fmt::format("{}.{}", layer.name, suffix), Imf::FLOAT,
+                 [&image, w, layer](std::size_t pixel) { return image.at(w, pixel).*layer.component; }});
         }
     }
     add_share_channels(channels.numbers, image, image.residual, "residual");
     add_share_channels(channels.numbers, image, image.tail, "tail");
     constexpr std::array<const char*, 3> preview_names{"R", "G", "B"};
-    for (std::size_t c = 0; c < preview_names.size() && !preview.empty(); ++c) {
+    for (std::size_t c = 0; c < preview_names.size(); ++c) {
         channels.numbers.push_back(
             {preview_names[c], Imf::HALF, [&preview, c](std::size_t pixel) { return preview[pixel][c]; }});
     }
@@ -107,6 +106,16 @@ Channels channels_of(const StokesImage& image, const std::vector<LinearRgb>& pre
     if (any_failed) channels.counts.push_back({"failures", &image.failures});
     for (const CountChannel& channel : channels.counts) POL_EXPECTS(channel.plane->size() == image.pixel_count());
     return channels;
+}
+
+/// Shortest text that gives each number back to the bit.
+std::string number_list(const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        if (!text.empty()) text += ", ";
+        text += fmt::to_string(number);
+    }
+    return text;
 }
 
 Imf::Header header_of(const StokesImage& image, const Channels& channels) {
@@ -125,8 +134,8 @@ Imf::Header header_of(const StokesImage& image, const Channels& channels) {
     set(prefix + "timeSign", "exp(-i omega t)");
     set(prefix + "version", POL_VERSION);
     for (const auto& [name, text] : image.attributes) set(prefix + name, text);
-    set(exr::wavelengths_attribute, fmt::format("{}", fmt::join(image.wavelengths_nm, ", ")));
-    if (!image.brightest.empty()) set(exr::brightest_attribute, fmt::format("{}", fmt::join(image.brightest, ", ")));
+    set(exr::wavelengths_attribute, number_list(image.wavelengths_nm));
+    if (!image.brightest.empty()) set(exr::brightest_attribute, number_list(image.brightest));
 
     for (const FloatChannel& channel : channels.numbers)
         header.channels().insert(channel.name, Imf::Channel(channel.file_type));
@@ -200,9 +209,7 @@ Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& pa
     OutputFile& file = *created.value();
     std::string complaint;
     try {
-        // Light that no observer sees (an infrared picture) has no preview.
-        const Result<std::vector<LinearRgb>> seen = color_picture(image);
-        const std::vector<LinearRgb> preview = seen ? seen.value() : std::vector<LinearRgb>{};
+        const std::vector<Rgb> preview = color_picture(image);
         const Channels channels = channels_of(image, preview);
         ExrStream stream(file, path.string());
         Imf::OutputFile exr(stream, header_of(image, channels));

@@ -325,6 +325,12 @@ private:
         }
     }
 
+    /// The hatch in pixels of the canvas, so that it looks alike however much the picture is enlarged.
+    [[nodiscard]] Rgb8 hatch(int x, int y) const {
+        return state_color(PixelState::undetermined, static_cast<int>(x / layout_.unit),
+                           static_cast<int>(y / layout_.unit));
+    }
+
     void paint_picture(RgbPicture& canvas) const {
         const Layout& l = layout_;
         paint_box(
@@ -365,6 +371,7 @@ private:
         double top = l.legend_top + 2.0 * l.unit;
         for (const LegendEntry& entry : legend_) {
             paint_box(canvas, static_cast<int>(l.margin) + 1, static_cast<int>(top), size, size, [&](int x, int y) {
+                if (entry.state == PixelState::undetermined) return hatch(x, y);
                 if (entry.state != PixelState::defined) return state_color(entry.state, x, y);
                 // The fade: the middle of the scale on the left, no weight on the right.
                 return faded(scale_color(*map_.scale, 0.75), 1.0 - (x + 0.5) / size);
@@ -411,12 +418,10 @@ Result<RgbPicture> map_picture(const ColoredMap& map, const std::string& caption
     POL_EXPECTS(map.picture.width > 0 && map.picture.height > 0);
     Drawing drawing(map, caption);
     if (drawing.is_too_large()) {
-        return Error{
-            ErrorKind::output,
-            "the picture is too large to be drawn with a color bar",
-            {},
-            {},
-            fmt::format("--plain writes the {} x {} pixels of the map alone", map.picture.width, map.picture.height)};
+        Error error{ErrorKind::output, "the picture is too large to be drawn with a color bar"};
+        error.hint =
+            fmt::format("--plain writes the {} x {} pixels of the map alone", map.picture.width, map.picture.height);
+        return error;
     }
     return drawing.draw();
 }

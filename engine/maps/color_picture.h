@@ -4,15 +4,14 @@
 
 #include <vector>
 
-#include "core/result.h"
 #include "film/stokes_image.h"
-#include "maps/color_scale.h"
+#include "spectrum/color.h"
 
 namespace pol {
 
 /// Linear sRGB of each pixel, not cut to the gamut. One wavelength gives gray: S0 relative to D65 there, as in Debelov
 /// & Kozlov, Figs. 10, 14 and 18. A pixel with NaN or infinite light has NaN or infinite color. Error (kind usage): the
 /// only wavelength is one where D65 is not known.
-Result<std::vector<LinearRgb>> color_picture(const StokesImage& image);
+std::vector<Rgb> color_picture(const StokesImage& image);
 
 }  // namespace pol

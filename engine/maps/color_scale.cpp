@@ -17,7 +17,7 @@ struct Oklab {
     double b;
 };
 
-LinearRgb to_linear(const Oklab& c) {
+Rgb to_linear(const Oklab& c) {
     const double l_root = c.lightness + 0.3963377774 * c.a + 0.2158037573 * c.b;
     const double m_root = c.lightness - 0.1055613458 * c.a - 0.0638541728 * c.b;
     const double s_root = c.lightness - 0.0894841775 * c.a - 1.2914855480 * c.b;
@@ -36,7 +36,7 @@ Oklab from_polar(double lightness, double chroma, double hue_degrees) {
 // The curves below stay inside the sRGB gamut (tested), with chroma close to the most that it allows.
 
 Oklab sequential(double t) {
-    return from_polar(0.22 + 0.72 * t, 0.088 + 0.07 * t * t * t, 300.0 - 195.0 * t);
+    return from_polar(0.28 + 0.67 * t, 0.088 + 0.07 * t * t * t, 300.0 - 195.0 * t);
 }
 
 Oklab diverging(double t) {
@@ -55,27 +55,27 @@ Oklab cyclic(double t) {
             -0.03 + radius * std::sin(phase)};
 }
 
-LinearRgb mix(const LinearRgb& a, const LinearRgb& b, double share_of_b) {
-    LinearRgb mixed{};
+Rgb mix(const Rgb& a, const Rgb& b, double share_of_b) {
+    Rgb mixed{};
     for (std::size_t c = 0; c < 3; ++c) mixed[c] = a[c] + (b[c] - a[c]) * share_of_b;
     return mixed;
 }
 
-constexpr LinearRgb black{0.0, 0.0, 0.0};
-constexpr LinearRgb white{1.0, 1.0, 1.0};
-constexpr LinearRgb red{1.0, 0.0, 0.0};
-constexpr LinearRgb green{0.0, 1.0, 0.0};
-constexpr LinearRgb blue{0.0, 0.0, 1.0};
-constexpr LinearRgb yellow{1.0, 1.0, 0.0};
-constexpr LinearRgb cyan{0.0, 1.0, 1.0};
+constexpr Rgb black{0.0, 0.0, 0.0};
+constexpr Rgb white{1.0, 1.0, 1.0};
+constexpr Rgb red{1.0, 0.0, 0.0};
+constexpr Rgb green{0.0, 1.0, 0.0};
+constexpr Rgb blue{0.0, 0.0, 1.0};
+constexpr Rgb yellow{1.0, 1.0, 0.0};
+constexpr Rgb cyan{0.0, 1.0, 1.0};
 
-LinearRgb two_sided(const LinearRgb& negative, const LinearRgb& positive, double t) {
+Rgb two_sided(const Rgb& negative, const Rgb& positive, double t) {
     return t < 0.5 ? mix(black, negative, 1.0 - 2.0 * t) : mix(black, positive, 2.0 * t - 1.0);
 }
 
 /// The azimuth runs from -90 degrees at t = 0 to 90 at t = 1.
-LinearRgb orientation(double t) {
-    const std::array<LinearRgb, 5> corners{green, yellow, red, blue, green};
+Rgb orientation(double t) {
+    const std::array<Rgb, 5> corners{green, yellow, red, blue, green};
     const double position = 4.0 * t;
     const auto corner = static_cast<std::size_t>(std::min(3.0, std::floor(position)));
     return mix(corners[corner], corners[corner + 1], position - static_cast<double>(corner));
@@ -83,7 +83,7 @@ LinearRgb orientation(double t) {
 
 }  // namespace
 
-LinearRgb scale_color(ColorScale scale, double t) {
+Rgb scale_color(ColorScale scale, double t) {
     POL_EXPECTS(!std::isnan(t));
     const double inside = std::clamp(t, 0.0, 1.0);
     switch (scale) {
@@ -112,11 +112,10 @@ LinearRgb scale_color(ColorScale scale, double t) {
     return black;
 }
 
-Rgb8 encode(const LinearRgb& color) {
+Rgb8 encode(const Rgb& color) {
     Rgb8 encoded{};
     for (std::size_t c = 0; c < 3; ++c) {
-        const double light = color[c];
-        const double signal = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
+        const double signal = srgb_encode(color[c]);
         // The comparison is false for NaN.
         encoded[c] =
             signal > 0.0 ? static_cast<std::uint8_t>(std::lround(255.0 * std::min(1.0, signal))) : std::uint8_t{0};
@@ -124,12 +123,7 @@ Rgb8 encode(const LinearRgb& color) {
     return encoded;
 }
 
-double decode(std::uint8_t value) {
-    const double signal = value / 255.0;
-    return signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4);
-}
-
-double lightness(const LinearRgb& color) {
+double lightness(const Rgb& color) {
     const double y = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     constexpr double knee = 216.0 / 24389.0;
     return y > knee ? 116.0 * std::cbrt(y) - 16.0 : y * 24389.0 / 27.0;

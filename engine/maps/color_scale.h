@@ -5,12 +5,11 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
+
+#include "spectrum/color.h"
 
 namespace pol {
 
-/// Linear sRGB, 0 to 1 for what a screen can show.
-using LinearRgb = std::array<double, 3>;
 /// sRGB, 8 bits a channel.
 using Rgb8 = std::array<std::uint8_t, 3>;
 
@@ -30,15 +29,12 @@ enum class ColorScale : std::uint8_t {
 
 /// Color at `t` in 0..1 from one end of the scale to the other; values outside are taken at the nearer end, which the
 /// color bar shows by an arrow. Diverging scales have their zero at 0.5.
-LinearRgb scale_color(ColorScale scale, double t);
+Rgb scale_color(ColorScale scale, double t);
 
-/// IEC 61966-2-1 encoding. Not finite and negative light is black, light above 1 is 255: a screen has no other.
-Rgb8 encode(const LinearRgb& color);
-
-/// Inverse of the encoding of one channel.
-double decode(std::uint8_t value);
+/// sRGB for a screen, which cannot show more than 1 (255) or less than 0 (0). NaN is black.
+Rgb8 encode(const Rgb& color);
 
 /// CIE 1976 lightness L*, 0 to 100, of a color of a screen.
-double lightness(const LinearRgb& color);
+double lightness(const Rgb& color);
 
 }  // namespace pol

@@ -10,7 +10,7 @@
 namespace pol {
 namespace {
 
-constexpr Rgb8 dark_gray{38, 38, 38};
+constexpr Rgb8 black{0, 0, 0};
 constexpr Rgb8 middle_gray{96, 96, 96};
 constexpr Rgb8 hatch_light{150, 150, 150};
 constexpr Rgb8 hatch_dark{64, 64, 64};
@@ -56,8 +56,8 @@ MapRange range_for(const Map& map, const MapOptions& options) {
     return {about.low, high > about.low ? high : 1.0};
 }
 
-LinearRgb decoded(const Rgb8& color) {
-    return {decode(color[0]), decode(color[1]), decode(color[2])};
+Rgb decoded(const Rgb8& color) {
+    return {srgb_decode(color[0] / 255.0), srgb_decode(color[1] / 255.0), srgb_decode(color[2] / 255.0)};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ LinearRgb decoded(const Rgb8& color) {
 Rgb8 state_color(PixelState state, int x, int y) {
     switch (state) {
         case PixelState::no_light:
-            return dark_gray;
+            return black;
         case PixelState::undefined:
             return middle_gray;
         case PixelState::undetermined:
@@ -79,9 +79,9 @@ Rgb8 state_color(PixelState state, int x, int y) {
     return magenta;
 }
 
-Rgb8 faded(const LinearRgb& color, double weight) {
-    const LinearRgb ground = decoded(middle_gray);
-    LinearRgb mixed{};
+Rgb8 faded(const Rgb& color, double weight) {
+    const Rgb ground = decoded(middle_gray);
+    Rgb mixed{};
     for (std::size_t c = 0; c < 3; ++c) mixed[c] = ground[c] + (color[c] - ground[c]) * weight;
     return encode(mixed);
 }
@@ -90,9 +90,16 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
     POL_EXPECTS(map.quantity != Quantity::color);
     POL_EXPECTS(!options.range || options.range->low < options.range->high);
     const ColorScale scale = scale_for(map.quantity, options.style);
-    ColoredMap colored{map.quantity, options.style,          map.wavelength_nm, {map.width, map.height, {}},
-                       scale,        range_for(map, options)};
+    ColoredMap colored;
+    colored.quantity = map.quantity;
+    colored.style = options.style;
+    colored.wavelength_nm = map.wavelength_nm;
+    colored.picture.width = map.width;
+    colored.picture.height = map.height;
+    colored.scale = scale;
+    colored.range = range_for(map, options);
     colored.picture.pixels.reserve(map.pixels.size());
+    colored.states.reserve(map.pixels.size());
 
     // The paper draws what is unpolarized, dark or unknown as 0; it has no fade.
     const bool is_paper = options.style == MapStyle::paper;
@@ -101,10 +108,11 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
         for (int x = 0; x < map.width; ++x) {
             const MapPixel& pixel = map.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
                                                static_cast<std::size_t>(x)];
+            colored.states.push_back(pixel.state);
             ++colored.state_count[static_cast<std::size_t>(pixel.state)];
             if (pixel.state != PixelState::defined) {
                 const bool is_black = is_paper && pixel.state != PixelState::not_a_number;
-                colored.picture.pixels.push_back(is_black ? Rgb8{0, 0, 0} : state_color(pixel.state, x, y));
+                colored.picture.pixels.push_back(is_black ? black : state_color(pixel.state, x, y));
                 continue;
             }
             const double t = (pixel.value - colored.range.low) / span;
@@ -120,15 +128,20 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
     return colored;
 }
 
-Result<ColoredMap> colorize_picture(const StokesImage& image, const MapOptions& options) {
-    ColoredMap colored{Quantity::color, options.style, 0.0, {image.width, image.height, {}}, std::nullopt, {}};
-    const Result<std::vector<LinearRgb>> colors = color_picture(image);
-    if (!colors) return colors.error();
+ColoredMap colorize_picture(const StokesImage& image, const MapOptions& options) {
+    ColoredMap colored;
+    colored.quantity = Quantity::color;
+    colored.style = options.style;
+    colored.picture.width = image.width;
+    colored.picture.height = image.height;
+    const std::vector<Rgb> colors = color_picture(image);
     const double gain = std::exp2(options.exposure);
-    colored.picture.pixels.reserve(colors.value().size());
-    for (const LinearRgb& color : colors.value()) {
+    colored.picture.pixels.reserve(colors.size());
+    colored.states.reserve(colors.size());
+    for (const Rgb& color : colors) {
         const bool is_number = std::isfinite(color[0]) && std::isfinite(color[1]) && std::isfinite(color[2]);
         const PixelState state = is_number ? PixelState::defined : PixelState::not_a_number;
+        colored.states.push_back(state);
         ++colored.state_count[static_cast<std::size_t>(state)];
         colored.picture.pixels.push_back(is_number ? encode({gain * color[0], gain * color[1], gain * color[2]})
                                                    : state_color(state, 0, 0));

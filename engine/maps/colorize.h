@@ -46,6 +46,7 @@ struct ColoredMap {
     MapStyle style{};
     double wavelength_nm = 0.0;  ///< of no meaning for color
     RgbPicture picture;
+    std::vector<PixelState> states;                            ///< of the pixels of `picture`
     std::optional<ColorScale> scale;                           ///< none for color
     MapRange range{};                                          ///< values at the two ends of the scale
     std::array<std::size_t, pixel_state_count> state_count{};  ///< pixels by PixelState
@@ -57,16 +58,16 @@ struct ColoredMap {
 /// Colors of pixels without a value. `undetermined` is hatched: `x + y` says where.
 Rgb8 state_color(PixelState state, int x, int y);
 /// `color` at a weight between 1 (as it is) and 0 (the gray of `undefined`).
-Rgb8 faded(const LinearRgb& color, double weight);
+Rgb8 faded(const Rgb& color, double weight);
 
 /// Colors a map. A range that comes from the data is that of the defined values; 0..1 if there is none or all are 0.
 /// Requires: map.quantity is not `color`.
 ColoredMap colorize(const Map& map, const MapOptions& options);
 
 /// The color picture of all wavelengths, or gray if there is one. Only `exposure` is used of the options.
-Result<ColoredMap> colorize_picture(const StokesImage& image, const MapOptions& options);
+ColoredMap colorize_picture(const StokesImage& image, const MapOptions& options);
 
-/// The map or picture of `quantity`; `wavelength` is of no meaning for color. Error (kind usage) as in evaluate.
+/// The map or picture of `quantity`; `wavelength` is of no meaning for color. Error as in evaluate.
 Result<ColoredMap> draw_map(const StokesImage& image, Quantity quantity, std::size_t wavelength,
                             const MapOptions& options);
 

@@ -103,8 +103,13 @@ MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t
     if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
 
     const Reading reading = read(quantity, s, m, *bars);
-    if (!reading.determined) return empty(PixelState::undetermined);
-    if (!reading.defined) return empty(PixelState::undefined);
+    // Where the polarized part is known to be next to nothing, its direction is not unknown but without meaning.
+    const bool is_of_direction =
+        quantity == Quantity::azimuth || quantity == Quantity::ellipticity || quantity == Quantity::handedness;
+    const double most = quantity == Quantity::azimuth ? bars->dolp.high : bars->dop.high;
+    const bool is_unpolarized = is_of_direction && most < full_weight_polarization;
+    if (!reading.determined && !is_unpolarized) return empty(PixelState::undetermined);
+    if (!reading.defined || !reading.determined) return empty(PixelState::undefined);
     return {reading.value, reading.weight, PixelState::defined};
 }
 
@@ -112,7 +117,7 @@ Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wa
     POL_EXPECTS(wavelength < image.wavelengths_nm.size());
     double d65 = 1.0;
     if (quantity == Quantity::intensity) {
-        const Result<double> known = evaluate(D65Spectrum{}, image.wavelengths_nm[wavelength]);
+        const Result<double> known = d65_at(image.wavelengths_nm[wavelength]);
         if (!known) return known.error();
         d65 = known.value();
     }

@@ -47,7 +47,7 @@ inline constexpr double full_weight_polarization = 0.05;
 MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
                         double d65);
 
-/// The whole map. Error (kind usage): `intensity` at a wavelength where D65 is not known.
+/// The whole map. Error (kind input): `intensity` at a wavelength where D65 is not known.
 /// Requires: quantity is not `color`, wavelength < image.wavelengths_nm.size().
 Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength);
 

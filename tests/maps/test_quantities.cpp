@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Map values against closed forms. Tolerances: a handful of roundings of numbers of order 1, so 1e-14 (of order 90
+// degrees: 1e-12), unless a comment says otherwise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/units.h"
+#include "maps/color_picture.h"
+#include "maps/error_bars.h"
+#include "maps/evaluate.h"
+#include "maps/quantity.h"
+
+namespace pol {
+namespace {
+
+/// One pixel at one wavelength.
+StokesImage one_pixel(const Stokes<double>& s, double wavelength_nm = 580.0) {
+    StokesImage image;
+    image.width = 1;
+    image.height = 1;
+    image.wavelengths_nm = {wavelength_nm};
+    image.stokes = {s};
+    return image;
+}
+
+StokesImage with_residual(StokesImage image, double residual) {
+    image.residual = {residual};
+    image.brightest = {1.0};
+    return image;
+}
+
+MapPixel pixel(const StokesImage& image, Quantity quantity) {
+    return evaluate_pixel(image, quantity, 0, 0, 1.0);
+}
+
+/// Light of radiance 2 with degree of polarization `p`, azimuth `psi` and ellipticity angle `chi` (Poincare sphere).
+Stokes<double> state(double p, double psi, double chi) {
+    return {2.0, 2.0 * p * std::cos(2.0 * chi) * std::cos(2.0 * psi),
+            2.0 * p * std::cos(2.0 * chi) * std::sin(2.0 * psi), 2.0 * p * std::sin(2.0 * chi)};
+}
+
+TEST(Quantity, IsFoundByItsOwnNameAndByTheNearestToATypo) {
+    for (const QuantityInfo& about : quantities()) {
+        EXPECT_EQ(quantity_named(about.name), about.quantity);
+        EXPECT_EQ(&info(about.quantity), &about);
+        EXPECT_FALSE(about.definition.empty());
+    }
+    EXPECT_FALSE(quantity_named("dopp"));
+    EXPECT_EQ(nearest_quantity("azimut"), Quantity::azimuth);
+    EXPECT_EQ(nearest_quantity("colour"), Quantity::color);
+    EXPECT_EQ(nearest_quantity("elipticity"), Quantity::ellipticity);
+}
+
+TEST(Evaluate, GivesBackTheStateThatThePointOnThePoincareSphereNames) {
+    for (const double p : {0.1, 0.5, 1.0}) {
+        for (const double psi : {-1.2, -0.3, 0.0, 0.7, 1.5}) {
+            for (const double chi : {-0.7, -0.2, 0.0, 0.4}) {
+                SCOPED_TRACE(testing::Message() << p << " " << psi << " " << chi);
+                const StokesImage image = one_pixel(state(p, psi, chi));
+                EXPECT_NEAR(pixel(image, Quantity::dop).value, p, 1e-14);
+                EXPECT_NEAR(pixel(image, Quantity::dolp).value, p * std::cos(2.0 * chi), 1e-14);
+                EXPECT_NEAR(pixel(image, Quantity::docp).value, p * std::abs(std::sin(2.0 * chi)), 1e-14);
+                EXPECT_NEAR(pixel(image, Quantity::ellipticity).value, std::abs(std::tan(chi)), 1e-14);
+                // The linear part is at least 0.1 cos(1.4) = 0.017 of S0, which magnifies a rounding 60 times.
+                EXPECT_NEAR(pixel(image, Quantity::azimuth).value, degrees(psi), 1e-11);
+                EXPECT_NEAR(pixel(image, Quantity::handedness).value, std::sin(2.0 * chi), 1e-14);
+                EXPECT_NEAR(pixel(image, Quantity::s1).value, p * std::cos(2.0 * chi) * std::cos(2.0 * psi), 1e-14);
+                EXPECT_NEAR(pixel(image, Quantity::s2).value, p * std::cos(2.0 * chi) * std::sin(2.0 * psi), 1e-14);
+                EXPECT_NEAR(pixel(image, Quantity::s3).value, p * std::sin(2.0 * chi), 1e-14);
+                EXPECT_EQ(pixel(image, Quantity::unphysical).value, 0.0);
+            }
+        }
+    }
+}
+
+TEST(Evaluate, TellsNoLightFromUnpolarizedLightFromLightThatWasNotTraced) {
+    const StokesImage dark = one_pixel({0.0, 0.0, 0.0, 0.0});
+    const StokesImage unpolarized = one_pixel({1.0, 0.0, 0.0, 0.0});
+    for (const Quantity quantity :
+         {Quantity::dop, Quantity::azimuth, Quantity::ellipticity, Quantity::handedness, Quantity::s1}) {
+        SCOPED_TRACE(info(quantity).name);
+        EXPECT_EQ(pixel(dark, quantity).state, PixelState::no_light);
+        EXPECT_EQ(pixel(with_residual(dark, 0.01), quantity).state, PixelState::undetermined);
+    }
+    EXPECT_EQ(pixel(unpolarized, Quantity::dop).state, PixelState::defined);
+    EXPECT_EQ(pixel(unpolarized, Quantity::azimuth).state, PixelState::undefined);
+    EXPECT_EQ(pixel(unpolarized, Quantity::ellipticity).state, PixelState::undefined);
+    // A residual of 1 % cannot polarize it by more than 1 %: still unpolarized. One of a half can.
+    EXPECT_EQ(pixel(with_residual(unpolarized, 0.01), Quantity::azimuth).state, PixelState::undefined);
+    EXPECT_EQ(pixel(with_residual(unpolarized, 0.5), Quantity::azimuth).state, PixelState::undetermined);
+}
+
+TEST(Evaluate, HasNoAzimuthForCircularLightAndNoEllipticityInTheNoiseOfUnpolarizedLight) {
+    EXPECT_EQ(pixel(one_pixel({1.0, 0.0, 0.0, 1.0}), Quantity::azimuth).state, PixelState::undefined);
+    EXPECT_DOUBLE_EQ(pixel(one_pixel({1.0, 0.0, 0.0, 1.0}), Quantity::ellipticity).value, 1.0);
+    EXPECT_EQ(pixel(one_pixel({1.0, 1e-16, 0.0, 3e-16}), Quantity::ellipticity).state, PixelState::undefined);
+}
+
+TEST(Evaluate, FadesLinearlyWithThePolarizedPartThatCarriesTheDirection) {
+    const MapPixel faint = pixel(one_pixel({1.0, 0.01, 0.0, 0.0}), Quantity::azimuth);
+    EXPECT_NEAR(faint.weight, 0.01 / full_weight_polarization, 1e-14);
+    EXPECT_EQ(pixel(one_pixel({1.0, 0.5, 0.0, 0.0}), Quantity::azimuth).weight, 1.0);
+    // Circular light: fully polarized, so its handedness has full weight although its azimuth has none.
+    EXPECT_EQ(pixel(one_pixel({1.0, 0.0, 0.0, -1.0}), Quantity::handedness).weight, 1.0);
+    EXPECT_EQ(pixel(one_pixel({1.0, 0.01, 0.0, 0.0}), Quantity::dop).weight, 1.0);
+}
+
+TEST(Evaluate, ReportsNumbersThatAreNoLightInsteadOfRepairingThem) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const Stokes<double>& s : {Stokes<double>{nan, 0.0, 0.0, 0.0},
+                                    {1.0, nan, 0.0, 0.0},
+                                    {infinity, 0.0, 0.0, 0.0},
+                                    {1.0, 0.0, 0.0, infinity}}) {
+        EXPECT_EQ(pixel(one_pixel(s), Quantity::dop).state, PixelState::not_a_number);
+        EXPECT_EQ(pixel(one_pixel(s), Quantity::azimuth).state, PixelState::not_a_number);
+        EXPECT_EQ(pixel(one_pixel(s), Quantity::unphysical).state, PixelState::not_a_number);
+    }
+    EXPECT_EQ(pixel(one_pixel({nan, 0.0, 0.0, 0.0}), Quantity::intensity).state, PixelState::not_a_number);
+    EXPECT_EQ(pixel(one_pixel({-1.0, 0.0, 0.0, 0.0}), Quantity::dop).state, PixelState::not_a_number);
+    EXPECT_EQ(pixel(with_residual(one_pixel({1.0, 0.5, 0.0, 0.0}), nan), Quantity::dop).state,
+              PixelState::not_a_number);
+    EXPECT_EQ(pixel(with_residual(one_pixel({1.0, 0.5, 0.0, 0.0}), -0.1), Quantity::dop).state,
+              PixelState::not_a_number);
+}
+
+TEST(Evaluate, ShowsHowFarAVectorIsFromBeingLight) {
+    EXPECT_NEAR(pixel(one_pixel({1.0, 1.5, 0.0, 0.0}), Quantity::unphysical).value, 0.5 / 2.5, 1e-15);
+    EXPECT_EQ(pixel(one_pixel({-1.0, 0.0, 0.0, 0.0}), Quantity::unphysical).value, 1.0);
+    EXPECT_EQ(pixel(one_pixel({0.0, 0.0, 0.0, 1e-9}), Quantity::unphysical).value, 1.0);
+    // Rounded to floats, fully polarized light may come out a trace above 1, which is not the renderer's doing.
+    EXPECT_EQ(pixel(one_pixel({1.0, 1.0 + 0x1p-24, 0.0, 0.0}), Quantity::unphysical).value, 0.0);
+    EXPECT_GT(pixel(one_pixel({1.0, 1.0 + 0x1p-22, 0.0, 0.0}), Quantity::unphysical).value, 0.0);
+}
+
+// S0 in [2, 2.1]; the missing light can add 0.1 to the polarized part 1 or take 0.1 from it: P between 0.9/2.1 and
+// 1.1/2.1 around 0.5 (performance.md 3.3). Azimuth: asin(0.1) / 2. b/a: tan(asin(0.1) / 2).
+TEST(ErrorBars, AreThoseOfTheLightThatWasNotTraced) {
+    StokesImage image = with_residual(one_pixel({2.0, 1.0, 0.0, 0.0}), 0.05);
+    image.brightest = {2.0};
+    EXPECT_NEAR(pixel(image, Quantity::residual).value, 0.05, 0.0);
+    EXPECT_NEAR(pixel(image, Quantity::dop_error).value, 0.5 - 0.9 / 2.1, 1e-14);
+    EXPECT_NEAR(pixel(image, Quantity::azimuth_error).value, degrees(std::asin(0.1) / 2.0), 1e-12);
+    EXPECT_NEAR(pixel(image, Quantity::ellipticity_error).value, std::tan(std::asin(0.1) / 2.0), 1e-14);
+}
+
+// The tail stands in for light that was left out: the truth may have that light as well, or not the estimate. Ball of
+// radius (0.05 + 0.05 + 0.05) * 1 about 1, S0 up to 2.1 and down to 1.95: P in [0.85/2.05, 1.15/2.05].
+TEST(ErrorBars, CountTheRandomTailOnBothSides) {
+    StokesImage image = with_residual(one_pixel({2.0, 1.0, 0.0, 0.0}), 0.05);
+    image.tail = {0.05};
+    const auto bars = error_bars(image, 0, 0);
+    ASSERT_TRUE(bars);
+    EXPECT_NEAR(bars->s0.low, 1.95, 1e-15);
+    EXPECT_NEAR(bars->s0.high, 2.1, 1e-15);
+    EXPECT_NEAR(bars->dop.low, 0.85 / 2.05, 1e-14);
+    EXPECT_NEAR(bars->dop.high, 1.15 / 2.05, 1e-14);
+}
+
+TEST(ErrorBars, ArePerWavelengthIfTheResidualIs) {
+    StokesImage image;
+    image.width = 1;
+    image.height = 1;
+    image.wavelengths_nm = {500.0, 600.0};
+    image.stokes = {{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
+    image.brightest = {1.0, 2.0};
+    image.residual = {0.1};
+    EXPECT_DOUBLE_EQ(error_bars(image, 0, 0)->s0.high, 1.1);
+    EXPECT_DOUBLE_EQ(error_bars(image, 1, 0)->s0.high, 1.2);
+    image.residual = {0.1, 0.3};
+    EXPECT_DOUBLE_EQ(error_bars(image, 1, 0)->s0.high, 1.6);
+}
+
+TEST(ErrorBars, AreEmptyWithoutMissingLight) {
+    const StokesImage image = one_pixel({2.0, 1.0, 0.5, 0.25});
+    EXPECT_EQ(pixel(image, Quantity::dop_error).value, 0.0);
+    EXPECT_EQ(pixel(image, Quantity::azimuth_error).value, 0.0);
+    EXPECT_NEAR(pixel(image, Quantity::ellipticity_error).value, 0.0, 1e-15);
+}
+
+// CIE D65 at 580 nm is 95.788 where it is 100 at 560 nm; the paper's gray is the radiance divided by that.
+TEST(Intensity, IsRelativeToD65AtTheWavelength) {
+    const Result<Map> map = evaluate(one_pixel({0.95788, 0.0, 0.0, 0.0}), Quantity::intensity, 0);
+    ASSERT_TRUE(map);
+    EXPECT_NEAR(map.value().pixels[0].value, 1.0, 1e-12);
+    EXPECT_FALSE(evaluate(one_pixel({1.0, 0.0, 0.0, 0.0}, 1500.0), Quantity::intensity, 0));
+}
+
+TEST(ColorPicture, IsGrayForOneWavelengthAndTheSameAsTheIntensity) {
+    const std::vector<Rgb> color = color_picture(one_pixel({0.95788 / 2.0, 0.0, 0.0, 0.0}));
+    for (const double channel : color[0]) EXPECT_NEAR(channel, 0.5, 1e-12);
+}
+
+TEST(ColorPicture, OfLongWavesIsReddishAndOfShortWavesBluish) {
+    StokesImage image;
+    image.width = 2;
+    image.height = 1;
+    image.wavelengths_nm = {450.0, 550.0, 630.0};
+    image.stokes = {{0.0}, {1.0}, {0.1}, {0.1}, {1.0}, {0.0}};
+    const std::vector<Rgb> color = color_picture(image);
+    EXPECT_GT(color[0][0], 2.0 * std::max(color[0][1], color[0][2]));
+    EXPECT_GT(color[1][2], 2.0 * std::max(color[1][0], color[1][1]));
+}
+
+}  // namespace
+}  // namespace pol
