@@ -48,11 +48,11 @@ Oklab diverging(double t) {
 }
 
 Oklab cyclic(double t) {
-    constexpr double radius = 0.154;
-    const double tilt = radians(40.0);
+    constexpr double radius = 0.155;
+    const double tilt = radians(20.0);
     const double phase = 2.0 * pi * t;
-    return {0.62 - radius * std::cos(tilt) * std::cos(phase), radius * std::sin(tilt) * std::cos(phase),
-            -0.03 + radius * std::sin(phase)};
+    return {0.58 - radius * std::cos(tilt) * std::cos(phase), 0.02 + radius * std::sin(tilt) * std::cos(phase),
+            -0.04 + radius * std::sin(phase)};
 }
 
 Rgb mix(const Rgb& a, const Rgb& b, double share_of_b) {

@@ -134,9 +134,9 @@ TEST(ColorScale, HasTheColorsOfWilkieAndWeidlichOnRequest) {
               encode(scale_color(ColorScale::wilkie_s1, 0.0)));
 }
 
-// IEC 61966-2-1: linear 0.2140 is signal 0.5.
+// IEC 61966-2-1: signal 128 stands for linear 0.21586.
 TEST(Encode, FollowsTheSrgbCurve) {
-    EXPECT_EQ(encode({0.0, 0.21404, 1.0}), (Rgb8{0, 128, 255}));
+    EXPECT_EQ(encode({0.0, 0.21586, 1.0}), (Rgb8{0, 128, 255}));
     EXPECT_EQ(encode({-1.0, 1e9, std::nan("")}), (Rgb8{0, 255, 0}));
 }
 

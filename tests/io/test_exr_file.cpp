@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "io/exr_channel.h"
+#include "io/exr_file.h"
+
+namespace pol {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An empty folder of its own for each test.
+class ExrFile : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("polariscope-exr-" + std::to_string(::getpid()));
+        fs::remove_all(folder_);
+        fs::create_directory(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] fs::path path(const std::string& name = "picture.exr") const { return folder_ / name; }
+    [[nodiscard]] std::size_t file_count() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    fs::path folder_;
+};
+
+/// Different numbers everywhere, all of them floats.
+StokesImage sample_image(int width, int height, std::vector<double> wavelengths_nm) {
+    StokesImage image;
+    image.width = width;
+    image.height = height;
+    image.wavelengths_nm = std::move(wavelengths_nm);
+    const std::size_t count = image.pixel_count() * image.wavelengths_nm.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double base = 1.0 + static_cast<double>(i);
+        image.stokes.push_back({base, base / 2.0, -base / 4.0, base / 8.0});
+        image.residual.push_back(std::ldexp(base, -20));
+    }
+    for (std::size_t i = 0; i < image.pixel_count(); ++i) {
+        image.tail.push_back(std::ldexp(static_cast<double>(i), -30));
+        image.samples.push_back(static_cast<std::uint32_t>(i) + 4000000000U);
+        image.failures.push_back(static_cast<std::uint32_t>(i % 2));
+    }
+    image.brightest.assign(image.wavelengths_nm.size(), 0.1);
+    image.attributes["scene_hash"] = "0123456789abcdef";
+    return image;
+}
+
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// A file by another program: `left` or `right` handed, numbers as halves, extra channels, data window off the origin.
+void write_foreign(const fs::path& path, const std::vector<std::string>& channels, const char* handedness,
+                   Imf::PixelType type) {
+    const Imath::Box2i window({3, 5}, {6, 6});
+    Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), window);
+    if (handedness != nullptr) header.insert("polarisationHandedness", Imf::StringAttribute(handedness));
+    std::vector<std::vector<float>> numbers;
+    std::vector<std::vector<half>> halves;
+    numbers.reserve(channels.size());
+    halves.reserve(channels.size());
+    Imf::FrameBuffer buffer;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        header.channels().insert(channels[c], Imf::Channel(type));
+        std::vector<float>& plane = numbers.emplace_back();
+        std::vector<half>& half_plane = halves.emplace_back();
+        for (int i = 0; i < 8; ++i) {
+            plane.push_back(static_cast<float>(10 * c) + static_cast<float>(i));
+            half_plane.emplace_back(plane.back());
+        }
+        if (type == Imf::HALF)
+            buffer.insert(channels[c], Imf::Slice::Make(type, half_plane.data(), window));
+        else
+            buffer.insert(channels[c], Imf::Slice::Make(type, plane.data(), window));
+    }
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(buffer);
+    file.writePixels(2);
+}
+
+TEST_F(ExrFile, GivesBackTheSameNumbersToTheLastBit) {
+    // 35 lines: one band of 32 and a rest.
+    const StokesImage image = sample_image(7, 35, {440.0, 580.125, 700.0});
+    ASSERT_TRUE(write_exr(image, path()));
+    const Result<StokesImage> read = read_exr(path());
+    ASSERT_TRUE(read) << to_string(read.error());
+    const StokesImage& back = read.value();
+    EXPECT_EQ(back.width, 7);
+    EXPECT_EQ(back.height, 35);
+    EXPECT_EQ(back.wavelengths_nm, image.wavelengths_nm);
+    EXPECT_EQ(back.stokes, image.stokes);
+    EXPECT_EQ(back.residual, image.residual);
+    EXPECT_EQ(back.tail, image.tail);
+    EXPECT_EQ(back.samples, image.samples);
+    EXPECT_EQ(back.failures, image.failures);
+    EXPECT_EQ(back.brightest, image.brightest);
+    EXPECT_EQ(back.attributes.at("scene_hash"), "0123456789abcdef");
+}
+
+TEST_F(ExrFile, KeepsNanInfinityDenormalsAndTheSignOfZero) {
+    using limits = std::numeric_limits<float>;
+    StokesImage image;
+    image.width = 8;
+    image.height = 1;
+    image.wavelengths_nm = {580.0};
+    for (const float value : {limits::quiet_NaN(), limits::infinity(), -limits::infinity(), limits::denorm_min(),
+                              -limits::denorm_min(), -0.0F, limits::max(), limits::min()}) {
+        image.stokes.push_back({double{value}, double{value}, 1.0, double{value}});
+    }
+    ASSERT_TRUE(write_exr(image, path()));
+    const Result<StokesImage> read = read_exr(path());
+    ASSERT_TRUE(read) << to_string(read.error());
+    for (std::size_t i = 0; i < image.stokes.size(); ++i) {
+        EXPECT_TRUE(same_bits(read.value().stokes[i].s0, image.stokes[i].s0)) << i;
+        EXPECT_TRUE(same_bits(read.value().stokes[i].s1, image.stokes[i].s1)) << i;
+        EXPECT_TRUE(same_bits(read.value().stokes[i].s3, image.stokes[i].s3)) << i;
+    }
+}
+
+TEST_F(ExrFile, RoundsDoublesToTheNearestFloat) {
+    StokesImage image = sample_image(1, 1, {580.0});
+    image.stokes[0] = {1.0 / 3.0, 0.1, -0.1, 1e-300};
+    ASSERT_TRUE(write_exr(image, path()));
+    const Result<StokesImage> read = read_exr(path());
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read.value().stokes[0], (Stokes<double>{double{1.0F / 3.0F}, double{0.1F}, double{-0.1F}, 0.0}));
+}
+
+TEST_F(ExrFile, KeepsWavelengthsThatTheChannelNamesRound) {
+    const double odd = 1e7 / 17241.0;
+    ASSERT_TRUE(write_exr(sample_image(2, 2, {odd, 600.0}), path()));
+    const Result<StokesImage> read = read_exr(path());
+    ASSERT_TRUE(read);
+    EXPECT_TRUE(same_bits(read.value().wavelengths_nm[0], odd));
+}
+
+TEST_F(ExrFile, FollowsTheSpectralLayoutAsOpenExrSeesIt) {
+    StokesImage image = sample_image(3, 2, {580.0});
+    image.residual.resize(image.pixel_count());
+    image.failures.assign(image.pixel_count(), 0);
+    ASSERT_TRUE(write_exr(image, path()));
+    Imf::InputFile file(path().c_str());
+    const Imf::Header& header = file.header();
+    std::vector<std::string> names;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) names.emplace_back(c.name());
+    // OpenEXR sorts by name. No failures, so no such channel.
+    EXPECT_EQ(names, (std::vector<std::string>{"B", "G", "R", "S0.580,000000nm", "S1.580,000000nm", "S2.580,000000nm",
+                                               "S3.580,000000nm", "residual", "samples", "tail"}));
+    EXPECT_EQ(header.channels()["S0.580,000000nm"].type, Imf::FLOAT);
+    EXPECT_EQ(header.channels()["samples"].type, Imf::UINT);
+    EXPECT_EQ(header.compression(), Imf::PIZ_COMPRESSION);
+    const auto text = [&header](const char* name) { return header.typedAttribute<Imf::StringAttribute>(name).value(); };
+    EXPECT_EQ(text("spectralLayoutVersion"), "1.0");
+    EXPECT_EQ(text("emissiveUnits"), "W.m^-2.sr^-1");
+    EXPECT_EQ(text("polarisationHandedness"), "right");
+    EXPECT_EQ(text("polariscope.wavelengths"), "580");
+    EXPECT_EQ(text("polariscope.brightest"), "0.1");
+    EXPECT_EQ(text("polariscope.timeSign"), "exp(-i omega t)");
+    EXPECT_FALSE(text("polariscope.frame").empty());
+    EXPECT_FALSE(text("polariscope.azimuthZero").empty());
+    EXPECT_FALSE(text("polariscope.version").empty());
+}
+
+TEST_F(ExrFile, HasAPreviewThatIsWhiteForD65) {
+    // D65 at 580 nm relative to 560 nm, from the CIE table.
+    StokesImage image = sample_image(1, 1, {580.0});
+    image.stokes[0].s0 = 0.95788;
+    ASSERT_TRUE(write_exr(image, path()));
+    Imf::InputFile file(path().c_str());
+    float red = 0.0F;
+    Imf::FrameBuffer buffer;
+    buffer.insert("R", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&red), 4, 4));
+    file.setFrameBuffer(buffer);
+    file.readPixels(0);
+    EXPECT_NEAR(red, 1.0F, 0x1p-11F);  // half precision
+}
+
+TEST_F(ExrFile, IsReadFromOtherProgramsWithHalvesAnOffsetWindowAndLeftHandedStates) {
+    const std::vector<std::string> channels{"R",         "S0.5,8e2nm", "S1.5,8e2nm", "S2.5,8e2nm", "S3.5,8e2nm",
+                                            "S0.0,45um", "S1.0,45um",  "S2.0,45um",  "S3.0,45um",  "T.580,0nm"};
+    for (const char* handedness : {"left", "right"}) {
+        SCOPED_TRACE(handedness);
+        write_foreign(path(), channels, handedness, Imf::HALF);
+        const Result<StokesImage> read = read_exr(path());
+        ASSERT_TRUE(read) << to_string(read.error());
+        EXPECT_EQ(read.value().width, 4);
+        EXPECT_EQ(read.value().height, 2);
+        ASSERT_EQ(read.value().wavelengths_nm.size(), 2U);
+        EXPECT_NEAR(read.value().wavelengths_nm[0], 450.0, 1e-10);
+        EXPECT_EQ(read.value().wavelengths_nm[1], 580.0);
+        const double sign = std::string(handedness) == "left" ? -1.0 : 1.0;
+        EXPECT_EQ(read.value().at(1, 6), (Stokes<double>{16.0, 26.0, 36.0, sign * 46.0}));
+        EXPECT_EQ(read.value().at(0, 0), (Stokes<double>{50.0, 60.0, 70.0, sign * 80.0}));
+        EXPECT_TRUE(read.value().residual.empty());
+        EXPECT_TRUE(read.value().attributes.empty());
+    }
+}
+
+TEST_F(ExrFile, IsRefusedIfItHasNoStokesChannelsAndSaysWhatItHas) {
+    write_foreign(path(), {"S0.R", "S1.R", "depth.Z"}, nullptr, Imf::FLOAT);
+    const Result<StokesImage> read = read_exr(path());
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().kind, ErrorKind::input);
+    EXPECT_NE(read.error().what.find("S0.R, S1.R, depth.Z"), std::string::npos) << read.error().what;
+}
+
+TEST_F(ExrFile, IsRefusedIfAComponentLacksAWavelength) {
+    write_foreign(path(),
+                  {"S0.580,0nm", "S1.580,0nm", "S2.580,0nm", "S3.580,0nm", "S0.600,0nm", "S1.600,0nm", "S2.600,0nm"},
+                  "right", Imf::FLOAT);
+    const Result<StokesImage> read = read_exr(path());
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().what.find("S3 has no channel for S0.600,0nm"), std::string::npos) << read.error().what;
+}
+
+TEST_F(ExrFile, IsRefusedIfItsHandednessIsUnknown) {
+    write_foreign(path(), {"S0.580,0nm", "S1.580,0nm", "S2.580,0nm", "S3.580,0nm"}, "upwards", Imf::FLOAT);
+    EXPECT_FALSE(read_exr(path()));
+}
+
+TEST_F(ExrFile, IsRefusedIfItIsMissingAFolderEmptyOrSomethingElse) {
+    std::ofstream(path("empty.exr")).close();
+    std::ofstream(path("text.exr")) << "not a picture";
+    for (const fs::path& bad :
+         {path("missing.exr"), folder_, path("empty.exr"), path("text.exr"), fs::path("/dev/null")}) {
+        const Result<StokesImage> read = read_exr(bad);
+        ASSERT_FALSE(read) << bad;
+        EXPECT_EQ(read.error().kind, ErrorKind::input);
+        EXPECT_EQ(read.error().place.file, bad.string());
+    }
+}
+
+TEST_F(ExrFile, IsRefusedWhereverItIsCutOffAndNeverCrashesOnDamage) {
+    ASSERT_TRUE(write_exr(sample_image(16, 70, {440.0, 580.0}), path()));
+    std::ifstream whole(path(), std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(whole)), {});
+    for (std::size_t size = 1; size < bytes.size(); size += 1 + bytes.size() / 97) {
+        std::ofstream(path("cut.exr"), std::ios::binary) << bytes.substr(0, size);
+        EXPECT_FALSE(read_exr(path("cut.exr"))) << size << " of " << bytes.size();
+    }
+    // A flipped bit may be read or refused, but nothing worse (the sanitizer runs watch).
+    for (std::size_t at = 4; at < bytes.size(); at += 1 + bytes.size() / 499) {
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
+        std::ofstream(path("damaged.exr"), std::ios::binary) << damaged;
+        static_cast<void>(read_exr(path("damaged.exr")));
+    }
+}
+
+TEST_F(ExrFile, IsRefusedIfItClaimsAnAbsurdSize) {
+    ASSERT_TRUE(write_exr(sample_image(4, 4, {580.0}), path()));
+    std::fstream file(path(), std::ios::binary | std::ios::in | std::ios::out);
+    std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    for (const std::string name : {"dataWindow", "displayWindow"}) {
+        // After the name: 0, "box2i", 0, size 4, then min.x, min.y, max.x, max.y.
+        const std::size_t window = bytes.find(name) + name.size() + 1 + 6 + 4;
+        const std::uint32_t huge = 999999;
+        for (std::size_t i = 0; i < 4; ++i) {
+            bytes[window + 8 + i] = static_cast<char>(huge >> (8 * i));
+            bytes[window + 12 + i] = static_cast<char>(huge >> (8 * i));
+        }
+    }
+    std::ofstream(path("huge.exr"), std::ios::binary) << bytes;
+    const Result<StokesImage> read = read_exr(path("huge.exr"));
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().kind, ErrorKind::input);
+}
+
+TEST_F(ExrFile, CannotBeWrittenToAMissingFolderAFolderOrADevice) {
+    const StokesImage image = sample_image(2, 2, {580.0});
+    for (const fs::path& bad : {path("missing/picture.exr"), folder_, fs::path("/dev/null"), path("picture.exr/")}) {
+        const Result<Done> written = write_exr(image, bad);
+        ASSERT_FALSE(written) << bad;
+        EXPECT_EQ(written.error().kind, ErrorKind::output) << bad;
+    }
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_EQ(file_count(), 0U);
+}
+
+TEST_F(ExrFile, CannotHoldAnEmptyPictureOrTwoWavelengthsOfOneName) {
+    EXPECT_FALSE(write_exr(StokesImage{}, path()));
+    EXPECT_FALSE(write_exr(sample_image(2, 2, {580.0, 580.0000001}), path()));
+    EXPECT_EQ(file_count(), 0U);
+}
+
+TEST_F(ExrFile, LeavesTheOldFileAndNoLitterWhenTheDiskIsFull) {
+    ASSERT_TRUE(write_exr(sample_image(2, 2, {580.0}), path()));
+    const pid_t child = ::fork();
+    if (child == 0) {
+        // Files may not grow over 20 kB: a write beyond fails with EFBIG, as it would with ENOSPC.
+        const rlimit limit{20000, 20000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        ::signal(SIGXFSZ, SIG_IGN);
+        const Result<Done> written = write_exr(sample_image(128, 128, {580.0}), path());
+        ::_exit(!written && written.error().kind == ErrorKind::output ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    const Result<StokesImage> old = read_exr(path());
+    ASSERT_TRUE(old);
+    EXPECT_EQ(old.value().width, 2);
+    EXPECT_EQ(file_count(), 1U);
+}
+
+TEST_F(ExrFile, IsTheOldOneOrTheNewOneAfterAKillAtAnyMoment) {
+    const StokesImage image = sample_image(256, 256, {440.0, 580.0});
+    ASSERT_TRUE(write_exr(image, path()));
+    int killed = 0;
+    for (int run = 0; run < 25; ++run) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            for (;;) static_cast<void>(write_exr(image, path()));
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5 + 7 * run));
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        killed += WIFSIGNALED(status) ? 1 : 0;
+        ASSERT_TRUE(read_exr(path())) << "run " << run;
+    }
+    EXPECT_EQ(killed, 25);
+    // The next writer sweeps up what the killed ones left.
+    ASSERT_TRUE(write_exr(image, path()));
+    EXPECT_EQ(file_count(), 1U);
+}
+
+TEST_F(ExrFile, LeavesTemporaryFilesOfOthersAlone) {
+    const std::string of_a_living = ".picture.exr." + std::to_string(::getppid()) + "-0.tmp";
+    const std::string of_another = ".other.exr.999999999-0.tmp";
+    for (const std::string& name : {of_a_living, of_another, std::string(".picture.exr.notes.tmp")})
+        std::ofstream(path(name)) << "x";
+    ASSERT_TRUE(write_exr(sample_image(2, 2, {580.0}), path()));
+    EXPECT_EQ(file_count(), 4U);
+}
+
+TEST(ExrChannel, WritesSixDecimalsWithAComma) {
+    EXPECT_EQ(wavelength_suffix(580.0), "580,000000nm");
+}
+
+TEST(ExrChannel, ReadsEveryUnitOfTheLayout) {
+    EXPECT_EQ(parse_wavelength_suffix("580,000000nm"), 580.0);
+    EXPECT_EQ(parse_wavelength_suffix("5,8e2nm"), 580.0);
+    // A few roundings: relative 1e-15.
+    EXPECT_NEAR(*parse_wavelength_suffix("0,58um"), 580.0, 1e-12);
+    EXPECT_NEAR(*parse_wavelength_suffix("5,8e-7m"), 580.0, 1e-12);
+    EXPECT_NEAR(*parse_wavelength_suffix("500THz"), 599.584916, 1e-12);
+    EXPECT_NEAR(*parse_wavelength_suffix("5e14Hz"), 599.584916, 1e-12);
+    for (const char* bad :
+         {"", "nm", "580", "580.0nm", "580,0xm", "R", "0nm", "-5nm", "nannm", "infnm", "580nm.600nm", "1e999nm"}) {
+        EXPECT_FALSE(parse_wavelength_suffix(bad)) << bad;
+    }
+}
+
+}  // namespace
+}  // namespace pol
