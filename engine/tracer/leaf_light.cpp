@@ -32,8 +32,24 @@ CoherenceMatrix<double> fixed_state(const PlanFixedState& state, const Node& nod
     return {element(field[0], field[0]).re, element(field[1], field[1]).re, element(field[0], field[1])};
 }
 
-}  // namespace
+/// (n_camera / N)^2 with N^2 of physics.md 2.3: from radiance at the leaf to radiance at the camera. For a pair along the
+/// axis of a crystal the ordinary index stands for both modes.
+double radiance_factor(const Dielectric<double>& medium, const Wave<double>& wave, double camera_n) {
+    double n2 = medium.n * medium.n;
+    if (wave.kind == WaveKind::extraordinary) {
+        const double ray_index = dot(wave.k, wave.ray);
+        const double ratio = medium.n_e * medium.n_e / (ray_index * ray_index);
+        n2 *= ratio * ratio;
+    }
+    const double camera_n2 = camera_n * camera_n;
+    return n2 == camera_n2 ? 1.0 : camera_n2 / n2;
+}
 
+const Dielectric<double>& medium_of(const Plan& plan, const WavelengthGroup& group, int region) {
+    return group.media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium)].dielectric;
+}
+
+/// Stokes vector at the camera per unit radiance of the emitter.
 Stokes<double> emitted_state(const Emitter& emitter, int group, const Node& node, const DVec3& normal, double n) {
     return std::visit(Overloaded{
                           [&](const Unpolarized&) { return node.throughput.unpolarized(); },
@@ -47,27 +63,41 @@ Stokes<double> emitted_state(const Emitter& emitter, int group, const Node& node
                       emitter.state);
 }
 
-void emitted_radiance(const Emitter& emitter, std::span<const int> wavelengths, const DVec2& uv, const Stokes<double>& state,
-                      std::vector<Stokes<double>>& light) {
+/// Linear sRGB of the nearest texel; row 0 is the top, v points up, the border belongs to the last texel.
+const float* texel(const RgbImage& image, const DVec2& uv) {
+    const auto index = [](double t, int count) {
+        return static_cast<std::size_t>(std::clamp(static_cast<int>(t * count), 0, count - 1));
+    };
+    return &image.rgb[3 * (index(1.0 - uv.y, image.height) * static_cast<std::size_t>(image.width) + index(uv.x, image.width))];
+}
+
+}  // namespace
+
+void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n, std::span<Stokes<double>> light) {
+    const Stokes<double> state =
+        radiance_factor(medium_of(plan, group, node.region), node.wave, camera_n) * node.throughput.unpolarized();
+    for (std::size_t i = 0; i < light.size(); ++i) light[i] = plan.background[static_cast<std::size_t>(group.wavelengths[i])] * state;
+}
+
+void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing, double camera_n,
+                   std::span<Stokes<double>> light) {
+    const WavelengthGroup& wavelengths = plan.groups[static_cast<std::size_t>(group)];
+    const Dielectric<double>& medium = medium_of(plan, wavelengths, node.region);
+    const bool front = dot(crossing.normal, node.wave.ray) < 0.0;
+    const Stokes<double> state = radiance_factor(medium, node.wave, camera_n) *
+                                 emitted_state(emitter, group, node, front ? crossing.normal : -crossing.normal, medium.n);
     std::visit(Overloaded{
                    [&](const std::vector<double>& radiance) {
-                       for (const int w : wavelengths) light.push_back(radiance[static_cast<std::size_t>(w)] * state);
+                       for (std::size_t i = 0; i < light.size(); ++i)
+                           light[i] = radiance[static_cast<std::size_t>(wavelengths.wavelengths[i])] * state;
                    },
                    [&](const PlanTexture& texture) {
-                       const RgbImage& image = *texture.image;
-                       // Nearest texel; row 0 is the top, v points up. The border belongs to the last texel.
-                       const auto texel = [](double t, int count) {
-                           return static_cast<std::size_t>(std::min(static_cast<int>(t * count), count - 1));
-                       };
-                       const std::size_t column = texel(uv.x, image.width);
-                       const std::size_t row = texel(1.0 - uv.y, image.height);
-                       const float* rgb = &image.rgb[3 * (row * static_cast<std::size_t>(image.width) + column)];
-                       for (const int w : wavelengths) {
-                           const auto i = static_cast<std::size_t>(w);
-                           const double radiance = static_cast<double>(rgb[0]) * texture.basis[0][i] +
-                                                   static_cast<double>(rgb[1]) * texture.basis[1][i] +
-                                                   static_cast<double>(rgb[2]) * texture.basis[2][i];
-                           light.push_back(radiance * state);
+                       const float* rgb = texel(*texture.image, crossing.uv);
+                       for (std::size_t i = 0; i < light.size(); ++i) {
+                           const auto w = static_cast<std::size_t>(wavelengths.wavelengths[i]);
+                           double radiance = 0.0;
+                           for (std::size_t c = 0; c < 3; ++c) radiance += static_cast<double>(rgb[c]) * texture.basis[c][w];
+                           light[i] = radiance * state;
                        }
                    },
                },

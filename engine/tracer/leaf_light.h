@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an emitter sends along a backward ray, gathered to the camera.
+// What an emitter or the background sends along a backward ray, gathered to the camera through the ray's throughput.
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "core/vec.h"
-#include "plan/emitter.h"
+#include "plan/plan.h"
 #include "polarization/stokes.h"
+#include "tracer/crossing.h"
 #include "tracer/node.h"
 
 namespace pol {
 
-/// Stokes vector at the camera, per unit radiance of the emitter, of its light along -node.wave.ray (basic radiance: no
-/// n^2 factor). `normal` leans towards the light's way out, `n` is the index of the isotropic medium there. In a crystal
-/// each mode carries half the radiance.
-Stokes<double> emitted_state(const Emitter& emitter, int group, const Node& node, const DVec3& normal, double n);
+/// Light of the uniform surroundings on a ray that leaves the scene, one Stokes vector per wavelength of the group.
+/// camera_n: index at the camera; radiance there is n_camera^2 times basic radiance (physics.md 2.3).
+void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n, std::span<Stokes<double>> light);
 
-/// Appends radiance(wavelength) * state for each of `wavelengths`; `uv` is the place on a textured surface.
-void emitted_radiance(const Emitter& emitter, std::span<const int> wavelengths, const DVec2& uv, const Stokes<double>& state,
-                      std::vector<Stokes<double>>& light);
+/// Light of an emitter that the ray has met at node.origin. In a crystal each mode carries half the radiance.
+void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing, double camera_n,
+                   std::span<Stokes<double>> light);
 
 }  // namespace pol

@@ -73,7 +73,7 @@ inline Branches cross_isotropic_boundary(const Node& node, const Dielectric<doub
     return out;
 }
 
-/// Any pair of media, through the general solver.
+/// A crystal on one side or both, through the general solver.
 inline Branches cross_crystal_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
                                        const DVec3& normal) {
     Branches out;
@@ -108,6 +108,12 @@ inline Branches cross_crystal_boundary(const Node& node, const Dielectric<double
         out.absorbed = 0.5 * sum.re;
     }
     return out;
+}
+
+/// Any pair of media, the cheaper way where there is one.
+inline Branches cross_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to, const DVec3& normal) {
+    return from.kind == MediumKind::uniaxial || to.kind == MediumKind::uniaxial ? cross_crystal_boundary(node, from, to, normal)
+                                                                                : cross_isotropic_boundary(node, from, to, normal);
 }
 
 /// Straight through an ideal sheet in an isotropic medium.

@@ -194,10 +194,8 @@ private:
     }
 
     void end_on_background(const Node& node) {
-        const double factor = radiance_factor(node);
-        const Stokes<double> state = factor * node.throughput.unpolarized();
-        light_.clear();
-        for (const int w : group_->wavelengths) light_.push_back(plan_.background[static_cast<std::size_t>(w)] * state);
+        light_.assign(group_->wavelengths.size(), {});
+        background_light(plan_, *group_, node, camera_n_, light_);
         resolve(node, LeafReason::background);
     }
 
@@ -207,33 +205,14 @@ private:
         leaf(node, reason, light_);
     }
 
-    /// From radiance at the leaf to radiance at the camera: (n_camera / N)^2 with N^2 of physics.md 2.3. For a pair along
-    /// the axis of a crystal the ordinary index stands for both modes.
-    [[nodiscard]] double radiance_factor(const Node& node) const {
-        const Dielectric<double>& d = medium_of(node.region).dielectric;
-        double n2 = d.n * d.n;
-        if constexpr (anisotropic) {
-            if (node.wave.kind == WaveKind::extraordinary) {
-                const double ray_index = dot(node.wave.k, node.wave.ray);
-                const double ratio = d.n_e * d.n_e / (ray_index * ray_index);
-                n2 *= ratio * ratio;
-            }
-        }
-        const double n_camera2 = camera_n_ * camera_n_;
-        return n2 == n_camera2 ? 1.0 : n_camera2 / n2;
-    }
-
     void meet_surface(Node& node, const Crossing& crossing, int depth_limit) {
         const Surface& surface = plan_.surface(crossing.body);
         if (const auto* role = std::get_if<EmitterRole>(&surface.role)) {
             const Emitter& emitter = plan_.emitters[static_cast<std::size_t>(role->emitter)];
             const bool front = dot(crossing.normal, node.wave.ray) < 0.0;
             if (!front && !emitter.two_sided) return absorb(node);
-            const double n = medium_of(node.region).dielectric.n;
-            light_.clear();
-            const Stokes<double> state =
-                radiance_factor(node) * emitted_state(emitter, group_index_, node, front ? crossing.normal : -crossing.normal, n);
-            emitted_radiance(emitter, group_->wavelengths, crossing.uv, state, light_);
+            light_.assign(group_->wavelengths.size(), {});
+            emitter_light(plan_, group_index_, emitter, node, crossing, camera_n_, light_);
             return resolve(node, LeafReason::emitter);
         }
         if (const auto* role = std::get_if<SheetRole>(&surface.role)) {
@@ -252,9 +231,7 @@ private:
         const Left same_side{crossing.body, crossing.facet};
         Branches branches;
         if constexpr (anisotropic) {
-            branches = from.kind == MediumKind::uniaxial || to.kind == MediumKind::uniaxial
-                           ? cross_crystal_boundary(node, from, to, normal)
-                           : cross_isotropic_boundary(node, from, to, normal);
+            branches = cross_boundary(node, from, to, normal);
         } else {
             branches = cross_isotropic_boundary(node, from, to, normal);
         }

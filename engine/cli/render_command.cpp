@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_command.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "cli/scene_options.h"
+#include "io/exr_file.h"
+#include "io/output_file.h"
+#include "io/scene_hash.h"
+#include "render/renderer.h"
+
+namespace pol {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct RenderRequest {
+    SceneOptions scene;
+    std::string output;
+    std::optional<int> threads;
+    std::optional<double> seconds;
+    std::string statistics;
+    bool quiet = false;
+};
+
+volatile std::sig_atomic_t caught_signal = 0;
+
+void remember_signal(int signal) { caught_signal = signal; }
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+double cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::string time_text(double seconds) {
+    if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+    return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// One line on stdout, rewritten in place on a terminal, else a new line whenever a tenth more is done.
+class ProgressLine {
+public:
+    explicit ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+    void show(double done, double elapsed) {
+        if (quiet_) return;
+        if (!terminal_ && done < shown_ + 0.1) return;
+        shown_ = done;
+        const double remaining = done > 0.0 ? elapsed / done - elapsed : 0.0;
+        const std::string text = done > 0.0 && done < 1.0 ? ", " + time_text(remaining) + " left" : "";
+        fmt::print("{}progress {:.1f}%{}{}", terminal_ ? "\r\033[K" : "", 100.0 * done, text, terminal_ ? "" : "\n");
+        std::fflush(stdout);
+    }
+
+    void finish() {
+        if (!quiet_ && terminal_) fmt::print("\n");
+    }
+
+private:
+    bool quiet_;
+    bool terminal_;
+    double shown_ = -1.0;
+};
+
+enum class Stop { samples, time_limit, signal };
+
+Stop run_to_stop(Renderer& renderer, const RenderRequest& request, Clock::time_point start) {
+    ProgressLine line(request.quiet);
+    Stop stop = Stop::samples;
+    for (;;) {
+        double wait = 0.1;
+        if (request.seconds) wait = std::clamp(*request.seconds - seconds_since(start), 0.0, wait);
+        const bool finished = renderer.wait_for(wait);
+        const bool open_ended = request.seconds && !request.scene.samples;
+        const double elapsed = seconds_since(start);
+        line.show(open_ended ? std::min(1.0, elapsed / *request.seconds) : renderer.progress().done, elapsed);
+        if (finished) break;
+        if (caught_signal != 0) stop = Stop::signal;
+        if (request.seconds && elapsed >= *request.seconds) stop = Stop::time_limit;
+        if (stop != Stop::samples) {
+            renderer.cancel();
+            while (!renderer.wait_for(1.0)) {
+            }
+            break;
+        }
+    }
+    line.finish();
+    return stop;
+}
+
+std::string settings_text(const RenderSettings& s) {
+    return fmt::format("mode={} spp={} residual={} depth={} node_budget={} seed={}", s.mode == SampleMode::area ? "area" : "point",
+                       s.samples_per_pixel, s.residual, s.depth ? std::to_string(*s.depth) : "none", s.node_budget, s.seed);
+}
+
+struct Timing {
+    double load_s = 0.0;
+    double render_wall_s = 0.0;
+    double render_cpu_s = 0.0;
+    double output_s = 0.0;
+};
+
+Result<Done> write_statistics(const RenderRequest& request, const LoadedPlan& loaded, const Renderer& renderer, const StokesImage& image,
+                              const Timing& timing, int threads, const std::string& stop_reason) {
+    const Plan& plan = *loaded.plan;
+    const RenderStatistics& s = renderer.progress().statistics;
+    const auto mean = [](const std::vector<double>& v) {
+        double sum = 0.0;
+        for (const double x : v) sum += x;
+        return v.empty() ? 0.0 : sum / static_cast<double>(v.size());
+    };
+    nlohmann::ordered_json out;
+    out["tool"] = "polariscope";
+    out["tool_version"] = POL_VERSION;
+    out["kernel_features"] = plan.features.kernel;
+    out["precision"] = "f64";
+    out["threads"] = threads;
+    out["scene"] = request.scene.scene;
+    out["scene_hash"] = image.attributes.at("scene_hash");
+    out["width"] = plan.settings.width;
+    out["height"] = plan.settings.height;
+    out["mode"] = plan.settings.mode == SampleMode::area ? "area" : "point";
+    out["wavelengths_nm"] = plan.wavelengths_nm;
+    out["trees_per_sample"] = plan.groups.size();
+    out["spp"] = plan.settings.samples_per_pixel;
+    out["residual_target"] = plan.settings.residual;
+    out["depth_limit"] = plan.settings.depth ? nlohmann::ordered_json(*plan.settings.depth) : nlohmann::ordered_json(nullptr);
+    out["seed"] = plan.settings.seed;
+    out["t_load_s"] = timing.load_s;
+    out["t_render_wall_s"] = timing.render_wall_s;
+    out["t_render_cpu_s"] = timing.render_cpu_s;
+    out["t_output_s"] = timing.output_s;
+    out["camera_samples"] = s.samples;
+    out["rays"] = s.nodes;
+    out["nodes_mean"] = s.samples > 0 ? static_cast<double>(s.nodes) / static_cast<double>(s.samples * plan.groups.size()) : 0.0;
+    out["nodes_max"] = s.most_nodes;
+    out["residual_mean"] = mean(image.residual);
+    out["residual_max"] = image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
+    out["tail_mean"] = mean(image.tail);
+    out["brightest"] = image.brightest;
+    out["energy_defect_max"] = s.worst_energy_defect;
+    out["failures"] = s.failures;
+    out["film_bytes_per_pixel"] = renderer.film().bytes_per_pixel();
+    out["stop_reason"] = stop_reason;
+    auto file = OutputFile::create(request.statistics);
+    if (!file) return file.error();
+    const std::string text = out.dump(2) + "\n";
+    file.value()->write(text.data(), text.size());
+    return file.value()->commit();
+}
+
+int run(const RenderRequest& request) {
+    constexpr int self_check_failed = 5;
+    constexpr int stopped_by_time = 10;
+    if (request.threads && (*request.threads < 1 || *request.threads > 1024))
+        return report({ErrorKind::usage, fmt::format("{} threads cannot work", *request.threads), {}, "--threads", "1 to 1024"});
+    if (request.seconds && !(*request.seconds > 0.0 && *request.seconds < 1e9))
+        return report({ErrorKind::usage, fmt::format("{} s is no time limit", *request.seconds), {}, "--time", "a positive number of seconds"});
+    const auto load_start = Clock::now();
+    SceneOptions scene_options = request.scene;
+    // With a time limit alone, samples go on until it ends.
+    if (request.seconds && !request.scene.samples) scene_options.samples = 1 << 24;
+    auto loaded = load_plan(scene_options);
+    if (!loaded) return report(loaded.error());
+    // An hour of work must not end at a missing folder: try the output first.
+    for (const std::string& path : {request.output, request.statistics}) {
+        if (path.empty()) continue;
+        if (auto probe = OutputFile::create(path); !probe) return report(probe.error());
+    }
+    Timing timing;
+    timing.load_s = seconds_since(load_start);
+
+    std::signal(SIGINT, remember_signal);
+    std::signal(SIGTERM, remember_signal);
+    const int threads = request.threads.value_or(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    Renderer renderer(threads);
+    const auto start = Clock::now();
+    const double cpu_start = cpu_seconds();
+    renderer.start(loaded.value().plan);
+    const Stop stop = run_to_stop(renderer, request, start);
+    timing.render_wall_s = seconds_since(start);
+    timing.render_cpu_s = cpu_seconds() - cpu_start;
+
+    const auto output_start = Clock::now();
+    StokesImage image = renderer.snapshot();
+    image.attributes["scene"] = std::filesystem::path(request.scene.scene).filename().string();
+    image.attributes["scene_hash"] = scene_hash(loaded.value().scene);
+    image.attributes["settings"] = settings_text(loaded.value().plan->settings);
+    if (auto written = write_exr(image, request.output); !written) return report(written.error());
+    timing.output_s = seconds_since(output_start);
+
+    const std::string reason = stop == Stop::samples ? "samples" : stop == Stop::time_limit ? "time" : "signal";
+    if (!request.statistics.empty()) {
+        const auto written = write_statistics(request, loaded.value(), renderer, image, timing, threads, reason);
+        if (!written) return report(written.error());
+    }
+    const RenderStatistics statistics = renderer.progress().statistics;
+    if (!request.quiet) {
+        const double largest = image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
+        fmt::print("{}: {}x{}, {} wavelength{}, {:.2f} s, {:.3g} M rays, untraced at most {:.2g} of a pixel\n", request.output, image.width,
+                   image.height, image.wavelengths_nm.size(), image.wavelengths_nm.size() == 1 ? "" : "s", timing.render_wall_s,
+                   1e-6 * static_cast<double>(statistics.nodes), largest);
+    }
+    if (statistics.failures > 0) {
+        fmt::print(stderr,
+                   "polariscope: self-check failed in {} of {} samples (energy, not-a-number or a leaking solid)\n"
+                   "  hint: the picture is written; its channel 'failures' counts them per pixel\n",
+                   statistics.failures, statistics.samples);
+        return self_check_failed;
+    }
+    if (stop == Stop::signal) return 128 + static_cast<int>(caught_signal);
+    if (stop == Stop::time_limit && request.scene.samples) return stopped_by_time;
+    return 0;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, int& exit_code) {
+    auto request = std::make_shared<RenderRequest>();
+    CLI::App* command = app.add_subcommand("render", "Trace a scene and write the Stokes vectors of every pixel to an OpenEXR file");
+    add_scene_options(*command, request->scene);
+    command->add_option("-o,--output", request->output, "OpenEXR file to write")->required();
+    command->add_option("--threads", request->threads, "Worker threads; the picture does not depend on it (default: all cores)");
+    command->add_option("--time", request->seconds, "Stop after this many seconds and write what is there");
+    command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file");
+    command->add_flag("--quiet", request->quiet, "Print errors only");
+    command->footer(
+        "Ctrl-C stops, writes what is there and exits with 130.\n"
+        "\nExamples:\n"
+        "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr --wavelengths 380:780:20\n"
+        "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"
+        "  polariscope render assets/scenes/bench/g1.yaml -o g1.exr --mode area --spp 64 --residual 3e-3 --stats g1.json");
+    command->callback([request, &exit_code] { exit_code = run(*request); });
+}
+
+}  // namespace pol

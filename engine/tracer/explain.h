@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The very tree that made a sample of a pixel, and the proof that it did.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plan/plan.h"
+#include "tracer/ray_tree.h"
+#include "tracer/trace.h"
+
+namespace pol {
+
+struct Explanation {
+    int x = 0;
+    int y = 0;
+    std::uint32_t sample = 0;
+    int wavelength = 0;  ///< index into Plan::wavelengths_nm
+    int place = 0;       ///< of that wavelength in its group: index into RayTreeNode::light and ::arriving
+    TraceTask task{};    ///< camera ray with its frame
+    RayTree tree;
+    TraceResult result{};
+    Stokes<double> sample_light{};  ///< of the kernel that makes pictures (Silent observer)
+    Stokes<double> leaf_sum{};      ///< of the leaves, in the order in which they ended
+    /// True if leaf_sum and sample_light agree to the last bit.
+    [[nodiscard]] bool exact() const { return leaf_sum == sample_light; }
+};
+
+/// Requires: pixel inside the picture, wavelength an index into plan.wavelengths_nm.
+Explanation explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength);
+
+}  // namespace pol

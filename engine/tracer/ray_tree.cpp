@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/ray_tree.h"
+
+#include <cmath>
+
+namespace pol {
+
+void TreeRecorder::opened(const Node& node, int parent, Interaction interaction) {
+    RayTreeNode entry;
+    entry.parent = parent;
+    entry.interaction = interaction;
+    entry.start = node;
+    entry.end = node;
+    entry.estimated = in_tail_;
+    tree.nodes.push_back(std::move(entry));
+    if (parent >= 0) at(parent).children.push_back(node.id);
+}
+
+void TreeRecorder::reached(const Node& node, const Crossing& crossing) {
+    RayTreeNode& entry = at(node.id);
+    entry.end = node;
+    entry.crossing = crossing;
+    entry.arrived = true;
+    // The angle from the cross product too: acos alone loses half the digits near normal incidence.
+    entry.angle = std::atan2(std::sqrt(length2(cross(crossing.normal, node.wave.ray))), std::abs(dot(crossing.normal, node.wave.ray)));
+}
+
+void TreeRecorder::ended(const Node& node, LeafReason reason, std::span<const Stokes<double>> light) {
+    RayTreeNode& entry = at(node.id);
+    entry.end = node;
+    entry.reason = reason;
+    entry.light.assign(light.begin(), light.end());
+    tree.leaves.push_back(node.id);
+}
+
+void TreeRecorder::tail_begins(const Node& node) {
+    in_tail_ = true;
+    at(node.id).estimated = true;
+}
+
+}  // namespace pol
