@@ -184,8 +184,8 @@ TEST(RgbSpectrum, GivesTheColorBackOnTheFineListAndOnThatOfThePaper) {
     }
 }
 
-// On lists that the basis was not fitted to, the trapezoid rule errs by h^2/12 |f''| (b - a), relative to the integral:
-// with h = 10 nm and lobes of about 40 nm width (f'' = f/40^2) at most 0.5 %; twice that for two overlapping channels.
+// On lists that the basis was not fitted to, the trapezoid rule errs by up to h^2/12 |f''| relative to f: with h = 10
+// nm and lobes of about 40 nm width (f'' = f/40^2) 0.5 %; twice that, since two channels may add their errors.
 TEST(RgbSpectrum, ComesCloseOnOtherLists) {
     for (const char* text : {"380:780:5", "380:780:10", "360:830:1"}) {
         SCOPED_TRACE(text);
