@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/interface_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cli/interface_cases.h"
+#include "core/units.h"
+#include "io/assets.h"
+#include "io/index_file.h"
+
+namespace pol {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the user typed.
+struct Request {
+    std::string from;
+    std::string to;
+    std::vector<double> from_axis;
+    std::vector<double> to_axis;
+    double angle_deg = 0.0;
+    double wavelength_nm = 580.0;
+    std::string cases;
+};
+
+Error usage_error(std::string field, std::string what, std::string hint = {}) {
+    return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
+}
+
+/// The numbers at the start of `text` and what follows the last of them; a '+' or ',' may stand between numbers.
+struct Numbers {
+    std::vector<double> values;
+    std::string rest;
+};
+
+std::optional<Numbers> numbers_in(const std::string& text) {
+    Numbers found;
+    const char* at = text.c_str();
+    for (;;) {
+        char* end = nullptr;
+        const double value = std::strtod(at, &end);
+        if (end == at) return std::nullopt;
+        found.values.push_back(value);
+        at = end;
+        if (*at == ',') {
+            ++at;
+        } else if (*at != '+') {
+            break;
+        }
+    }
+    found.rest = at;
+    return found;
+}
+
+Result<DVec3> direction(const std::vector<double>& axis, const std::string& option) {
+    const DVec3 v = axis.size() == 3 ? DVec3(axis[0], axis[1], axis[2]) : DVec3(0.0);
+    const double size2 = length2(v);
+    if (!(size2 > 1e-200 && size2 < 1e200)) {
+        return usage_error(option, "is not a direction", fmt::format("three numbers, for example {} 1,0,1", option));
+    }
+    return unit(v);
+}
+
+Result<ComplexIndex> recorded_index(const std::string& name, double wavelength_nm) {
+    const Result<RefractiveIndex> record = load_index(name, assets_dir());
+    if (!record) return record.error();
+    return index_at(record.value(), wavelength_nm);
+}
+
+/// Extinction from which a record counts as a metal here: its field dies within a few wavelengths.
+constexpr double metal_extinction = 0.01;
+
+Result<Dielectric<double>> crystal(double n_o, double n_e, const std::vector<double>& axis,
+                                   const std::string& axis_option) {
+    if (axis.empty())
+        return usage_error(axis_option, "is missing: the medium is a crystal", fmt::format("{} 1,0,1", axis_option));
+    const Result<DVec3> c = direction(axis, axis_option);
+    if (!c) return c.error();
+    return make_uniaxial(n_o, n_e, c.value());
+}
+
+Result<Dielectric<double>> medium(const std::string& text, const std::vector<double>& axis, double wavelength_nm,
+                                  const std::string& option, const std::string& axis_option) {
+    const auto in_range = [](double n) { return n > 0.0 && n <= 1000.0; };
+    if (text == "air" || text == "vacuum") return make_isotropic(1.0);
+    if (const auto numbers = numbers_in(text)) {
+        const std::vector<double>& v = numbers->values;
+        const bool conductor = v.size() == 2 && numbers->rest == "i" && in_range(v[0]) && v[1] >= 0.0 && v[1] <= 1000.0;
+        if (conductor) return make_conductor(v[0], v[1]);
+        if (numbers->rest.empty() && v.size() == 1 && in_range(v[0])) return make_isotropic(v[0]);
+        if (numbers->rest.empty() && v.size() == 2 && in_range(v[0]) && in_range(v[1])) {
+            return crystal(v[0], v[1], axis, axis_option);
+        }
+        return usage_error(option, fmt::format("'{}' is no medium", text),
+                           "an index 1.5, a crystal n_o,n_e, a metal n+ki, or the name of an index record");
+    }
+    std::error_code failed;
+    const fs::path records = assets_dir() / "refractive_index";
+    const bool two_indices =
+        fs::exists(records / (text + "-o.yml"), failed) && fs::exists(records / (text + "-e.yml"), failed);
+    if (two_indices) {
+        const Result<ComplexIndex> n_o = recorded_index(text + "-o", wavelength_nm);
+        if (!n_o) return n_o.error();
+        const Result<ComplexIndex> n_e = recorded_index(text + "-e", wavelength_nm);
+        if (!n_e) return n_e.error();
+        return crystal(n_o.value().n, n_e.value().n, axis, axis_option);
+    }
+    const Result<ComplexIndex> n = recorded_index(text, wavelength_nm);
+    if (!n) return n.error();
+    if (n.value().k >= metal_extinction) return make_conductor(n.value().n, n.value().k);
+    return make_isotropic(n.value().n);
+}
+
+std::string describe(const Dielectric<double>& m) {
+    if (m.kind == MediumKind::isotropic) return fmt::format("isotropic, n = {:.9g}", m.n);
+    if (m.kind == MediumKind::conductor) return fmt::format("conductor, n = {:.9g} + {:.9g} i", m.n, m.kappa);
+    return fmt::format("uniaxial, n_o = {:.9g}, n_e = {:.9g}, axis ({:.6f}, {:.6f}, {:.6f})", m.n, m.n_e, m.axis.x,
+                       m.axis.y, m.axis.z);
+}
+
+DVec3 vector_of(const nlohmann::ordered_json& list) {
+    return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
+
+/// Degrees between a direction and the normal's line.
+double tilt(const DVec3& v) {
+    return degrees(std::atan2(std::hypot(v.x, v.y), std::abs(v.z)));
+}
+
+void print_table(const InterfaceCase& interface, const Request& request) {
+    fmt::print("from  {}\nto    {}\n", describe(interface.medium1), describe(interface.medium2));
+    fmt::print("normal (0, 0, 1), plane of incidence xz, wave normal at {:g} deg, {:g} nm\n", request.angle_deg,
+               request.wavelength_nm);
+    const auto result = solve_interface_case(interface);
+    for (const auto& in : result["incident"]) {
+        const DVec3 k_in = vector_of(in["k"]);
+        fmt::print("\nincident {}, index {:.7f}, ray at {:.6f} deg\n", in["label"].get<std::string>(),
+                   std::sqrt(length2(k_in)), tilt(vector_of(in["ray"])));
+        if (in.contains("not_incident")) {
+            fmt::print("  its energy does not reach the interface\n");
+            continue;
+        }
+        fmt::print("  {:<12}{:<6}{:>11}{:>12}{:>12}{:>14}{:>11}   {}\n", "side", "wave", "index", "k [deg]",
+                   "ray [deg]", "power", "phase", "ray");
+        double sum = 0.0;
+        for (const auto& out : in["out"]) {
+            const char* side = out["side"] == "R" ? "reflected" : "transmitted";
+            const std::string label = out["label"].get<std::string>();
+            const DVec3 k = vector_of(out["k"]);
+            if (out["kind"] == "evanescent") {
+                fmt::print("  {:<12}{:<6}evanescent, decays as exp(-{:.6f} k0 z)\n", side, label,
+                           std::sqrt(length2(vector_of(out["k_im"]))));
+                continue;
+            }
+            const DVec3 ray = vector_of(out["ray"]);
+            const double power = out["power"].get<double>();
+            sum += power;
+            fmt::print("  {:<12}{:<6}{:>11.7f}{:>12.6f}{:>12.6f}{:>14.10f}{:>11.5f}   ({:.8f}, {:.8f}, {:.8f})\n", side,
+                       label, std::sqrt(length2(k)), tilt(k), tilt(ray), power,
+                       degrees(std::atan2(out["amp"][1].get<double>(), out["amp"][0].get<double>())), ray.x, ray.y,
+                       ray.z);
+        }
+        if (in.contains("absorbed")) {
+            fmt::print("  {:<53}{:>14.10f}\n", "absorbed", in["absorbed"].get<double>());
+            sum += in["absorbed"].get<double>();
+        }
+        fmt::print("  {:<53}{:>14.10f}\n", "sum", sum);
+    }
+}
+
+Result<Done> run_table(const Request& request) {
+    if (request.from.empty() || request.to.empty()) {
+        return usage_error("interface", "needs --from and --to, or --cases",
+                           "polariscope interface --from air --to 1.5 --angle 30");
+    }
+    if (!(request.angle_deg >= 0.0 && request.angle_deg < 90.0)) {
+        return usage_error("--angle", fmt::format("{} is not from 0 to below 90 degrees", request.angle_deg));
+    }
+    if (!(request.wavelength_nm > 0.0 && std::isfinite(request.wavelength_nm))) {
+        return usage_error("--wavelength", fmt::format("{} is no wavelength in nm", request.wavelength_nm));
+    }
+    const auto from = medium(request.from, request.from_axis, request.wavelength_nm, "--from", "--from-axis");
+    if (!from) return from.error();
+    if (from.value().kind == MediumKind::conductor) return usage_error("--from", "light does not come out of a metal");
+    const auto to = medium(request.to, request.to_axis, request.wavelength_nm, "--to", "--axis");
+    if (!to) return to.error();
+    const double angle = radians(request.angle_deg);
+    print_table({{0.0, 0.0, 1.0}, {std::sin(angle), 0.0, std::cos(angle)}, from.value(), to.value(), {}}, request);
+    return Done{};
+}
+
+/// Answers every line that can be answered, complains about the others, and fails if there were any.
+Result<Done> run_cases(const std::string& path) {
+    std::error_code failed;
+    if (fs::is_directory(path, failed)) return Error{ErrorKind::input, "is a folder, not a file", Place{path}};
+    std::ifstream file;
+    if (path != "-") {
+        file.open(path);
+        if (!file) return Error{ErrorKind::input, "cannot be opened", Place{path}};
+    }
+    std::istream& lines = path == "-" ? std::cin : file;
+    int number = 0;
+    int bad = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        const Result<InterfaceCase> interface = read_interface_case(line);
+        if (interface) {
+            fmt::print("{}\n", solve_interface_case(interface.value()).dump());
+            continue;
+        }
+        ++bad;
+        Error error = interface.error();
+        error.place = Place{path, number};
+        fmt::print(stderr, "polariscope interface: {}\n", to_string(error));
+    }
+    if (lines.bad()) return Error{ErrorKind::input, "cannot be read to its end", Place{path, number}};
+    if (bad > 0)
+        return Error{ErrorKind::input, fmt::format("{} of {} lines could not be used", bad, number), Place{path}};
+    return Done{};
+}
+
+/// fmt throws where standard output cannot be written.
+Result<Done> run(const Request& request) {
+    try {
+        const Result<Done> done = request.cases.empty() ? run_table(request) : run_cases(request.cases);
+        if (std::fflush(stdout) != 0) return Error{ErrorKind::output, "standard output cannot be written"};
+        return done;
+    } catch (const std::system_error& error) {
+        return Error{ErrorKind::output, fmt::format("standard output cannot be written: {}", error.what())};
+    }
+}
+
+constexpr const char* footer =
+    "Media: air; an index (1.5); a crystal n_o,n_e (1.6584,1.4864); a metal n+ki (0.3+2.84i); a record of\n"
+    "assets/refractive_index (n-bk7, gold) or a path to one; calcite means the records calcite-o and calcite-e.\n"
+    "Records with an extinction from 0.01 on count as metals, below it extinction is left out.\n"
+    "Frame: the normal is z, from the first medium to the second; the wave normal lies in the xz plane.\n"
+    "Waves: s and p (s along y), o and e in crystals. Powers are shares of the incident energy flux, phases are in\n"
+    "degrees for fields as exp(-i omega t).\n"
+    "\nExamples:\n"
+    "  polariscope interface --from air --to calcite --axis 1,2,3 --angle 40 --wavelength 589.3\n"
+    "  polariscope interface --from 1.6584,1.4864 --from-axis 1,1,1 --to air --angle 60\n"
+    "  polariscope interface --from air --to gold --angle 45\n"
+    "  polariscope interface --cases cases.jsonl > results.jsonl\n"
+    "\nA line of CASES: {\"normal\": [0,0,1], \"wave_normal\": [0.6,0,0.8], \"medium1\": {\"type\": \"isotropic\", "
+    "\"n\": 1},\n"
+    "\"medium2\": {\"type\": \"uniaxial\", \"no\": 1.6584, \"ne\": 1.4864, \"axis\": [1,2,3]}}; an optional \"case\" "
+    "is repeated in the\n"
+    "answer. Lines that cannot be used are named on stderr; the others are answered, and the exit code is 3.\n";
+
+}  // namespace
+
+void add_interface_command(CLI::App& app, int& exit_code) {
+    const auto request = std::make_shared<Request>();
+    CLI::App* command = app.add_subcommand("interface", "What one interface does to light");
+    command->add_option("--from", request->from, "medium that the light comes from");
+    command->add_option("--to", request->to, "medium behind the interface");
+    command->add_option("--from-axis", request->from_axis, "X,Y,Z: optic axis of the first medium")
+        ->delimiter(',')
+        ->expected(1, 3);
+    command->add_option("--axis,--to-axis", request->to_axis, "X,Y,Z: optic axis of the second medium")
+        ->delimiter(',')
+        ->expected(1, 3);
+    command->add_option("--angle", request->angle_deg, "degrees between wave normal and normal")->capture_default_str();
+    command->add_option("--wavelength", request->wavelength_nm, "nm, for index records")->capture_default_str();
+    command->add_option("--cases", request->cases, "JSON lines, one interface each; - is standard input");
+    command->footer(footer);
+    command->callback([request, &exit_code] {
+        const Result<Done> done = run(*request);
+        exit_code = done ? 0 : static_cast<int>(done.error().kind);
+        if (!done) fmt::print(stderr, "polariscope interface: {}\n", to_string(done.error()));
+    });
+}
+
+}  // namespace pol
