@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/units.h"
 #include "geometry/complaint.h"
 
 namespace pol {
@@ -316,6 +317,21 @@ double signed_volume(const Mesh& mesh) {
         six_volumes += dot(mesh.vertices[v[0]] - from, cross(mesh.vertices[v[1]] - from, mesh.vertices[v[2]] - from));
     }
     return six_volumes / 6.0;
+}
+
+bool encloses(const Mesh& mesh, const DVec3& p) {
+    double half_angle = 0.0;
+    for (const Triangle& v : mesh.triangles) {
+        const DVec3 a = mesh.vertices[v[0]] - p;
+        const DVec3 b = mesh.vertices[v[1]] - p;
+        const DVec3 c = mesh.vertices[v[2]] - p;
+        const double la = std::sqrt(length2(a));
+        const double lb = std::sqrt(length2(b));
+        const double lc = std::sqrt(length2(c));
+        half_angle += std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    }
+    // 2 pi in half angles inside, 0 outside.
+    return half_angle > pi;
 }
 
 double mesh_size(const Mesh& mesh) {

@@ -29,6 +29,10 @@ bool is_convex(const Mesh& mesh);
 /// Volume by the divergence theorem; negative if inside out.
 double signed_volume(const Mesh& mesh);
 
+/// Whether `p` lies inside, by the summed solid angle of all triangles (A. Van Oosterom, J. Strackee, IEEE TBME 30,
+/// 1983). Either answer on the surface itself. Time: linear. Requires: closed.
+bool encloses(const Mesh& mesh, const DVec3& p);
+
 /// Half the diagonal of the bounding box: the length that relative tolerances refer to.
 double mesh_size(const Mesh& mesh);
 

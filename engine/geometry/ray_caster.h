@@ -21,10 +21,11 @@ struct MeshHit {
     double distance = 0.0;
 };
 
-/// The surface that a ray has just left.
+/// The surface that a ray has just left: where its origin lies. Without a facet: the origin is inside the mesh.
 struct LeftFacet {
     int mesh = -1;
-    int facet = -1;
+    int facet = -1;     ///< -1: none, the ray starts in the interior of closed mesh `mesh`
+    int triangle = -1;  ///< as MeshHit gave it; -1 if unknown
 };
 
 /// Immutable set of meshes in world space.
@@ -41,7 +42,9 @@ public:
 
     /// Nearest surface ahead. `left` lists the facets that `o` lies on (one, or one of each of two touching meshes);
     /// they are skipped whole. For a closed mesh in `left` the next hit must face the other way (in, then out), so
-    /// such a hit may lie a rounding error behind `o`. Equal distances: lowest mesh, then facet, then triangle.
+    /// such a hit may lie a rounding error behind `o`. A closed mesh not in `left` is taken to be entered first; that a
+    /// ray starts inside it should be said (facet -1), since finding that out takes time linear in its triangles. Equal
+    /// distances: lowest mesh, then facet, then triangle.
     std::optional<MeshHit> nearest(const DVec3& o, const DVec3& d, std::span<const LeftFacet> left = {}) const;
 
     /// Whether `p` is inside closed mesh `mesh`: parity of crossings, in double over all triangles (slow: set-up only).
