@@ -68,7 +68,7 @@ private:
     void read_entry(const YAML::Node& entry, const std::string& field) {
         if (!entry.IsMap()) fail(entry.Mark(), field, "not a map", "an entry has a type and its values");
         const YAML::Node type = scalar(entry, field, "type");
-        const std::string kind = type.Scalar();
+        const std::string& kind = type.Scalar();
         constexpr std::string_view formula = "formula ";
         if (kind.size() == formula.size() + 1 && kind.starts_with(formula) && kind.back() >= '1' &&
             kind.back() <= '6') {
