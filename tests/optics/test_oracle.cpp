@@ -149,7 +149,8 @@ TEST(Oracle, AgreesOnEvanescentWaves) {
     EXPECT_GT(seen, 100);
 }
 
-/// Largest slope of the slowness surfaces at a boundary, 1/|ray.n|, or n/|k_im| for evanescent waves: an ulp of k_t moves q by that.
+/// Largest slope of the slowness surfaces at a boundary, 1/|ray.n|, or n/|k_im| for evanescent waves: an ulp of k_t
+/// moves q by that.
 double steepest(const Arrival& a) {
     double slope = 1.0 / std::abs(dot(a.wave.ray, a.facts.normal));
     for (const OracleMode& out : a.modes[0]->out) {
@@ -159,9 +160,9 @@ double steepest(const Arrival& a) {
     return slope;
 }
 
-/// sum_ij amplitude_ij E_i E_j^T does not depend on the signs of the fields, nor on the basis of a pair: it shows phases and
-/// fields both. Flux-normalised amplitudes go with sqrt(q) of nearly grazing waves, so an ulp of k_t moves them by slope^(3/2) ulps.
-/// The fields of o and e turn by an ulp over the angle from the axis.
+/// sum_ij amplitude_ij E_i E_j^T does not depend on the signs of the fields, nor on the basis of a pair: it shows
+/// phases and fields both. Flux-normalised amplitudes go with sqrt(q) of nearly grazing waves, so an ulp of k_t moves
+/// them by slope^(3/2) ulps. The fields of o and e turn by an ulp over the angle from the axis.
 TEST(Oracle, AgreesOnAmplitudesAndFields) {
     int seen = 0;
     for_each_arrival([&](const Arrival& a) {
