@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +16,7 @@
 
 #include "core/contract.h"
 #include "core/units.h"
+#include "maps/bar_ticks.h"
 
 namespace pol {
 namespace {
@@ -333,13 +333,15 @@ private:
 
     void paint_picture(RgbPicture& canvas) const {
         const Layout& l = layout_;
-        paint_box(
-            canvas, static_cast<int>(l.margin), static_cast<int>(l.picture_top), l.shown_width, l.shown_height,
-            [&](int x, int y) {
-                return map_.picture
-                    .pixels[static_cast<std::size_t>(y / l.factor) * static_cast<std::size_t>(map_.picture.width) +
-                            static_cast<std::size_t>(x / l.factor)];
-            });
+        paint_box(canvas, static_cast<int>(l.margin), static_cast<int>(l.picture_top), l.shown_width, l.shown_height,
+                  [&](int x, int y) {
+                      const std::size_t pixel =
+                          static_cast<std::size_t>(y / l.factor) * static_cast<std::size_t>(map_.picture.width) +
+                          static_cast<std::size_t>(x / l.factor);
+                      const bool is_hatched =
+                          map_.states[pixel] == PixelState::undetermined && map_.style != MapStyle::paper;
+                      return is_hatched ? hatch(x, y) : map_.picture.pixels[pixel];
+                  });
     }
 
     void paint_bar(RgbPicture& canvas) const {
@@ -389,30 +391,7 @@ private:
     Context context_{nullptr, cairo_destroy};
 };
 
-/// A step of 1, 2 or 5 times a power of ten that divides `span` into about five.
-double round_step(double span) {
-    const double rough = span / 5.0;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    const double mantissa = rough / power;
-    return power * (mantissa < 1.5 ? 1.0 : mantissa < 3.5 ? 2.0 : mantissa < 7.5 ? 5.0 : 10.0);
-}
-
 }  // namespace
-
-std::vector<double> bar_ticks(const MapRange& range, ScaleKind kind) {
-    POL_EXPECTS(range.low < range.high);
-    const double span = range.high - range.low;
-    const double step = kind == ScaleKind::cyclic ? span / 4.0 : round_step(span);
-    // Closer than this to an end, two numbers would touch.
-    const double gap = 0.4 * step;
-    std::vector<double> ticks{range.low};
-    for (double tick = step * std::ceil(range.low / step); tick < range.high; tick += step) {
-        if (tick - range.low > gap && range.high - tick > gap)
-            ticks.push_back(std::abs(tick) < 1e-9 * span ? 0.0 : tick);
-    }
-    ticks.push_back(range.high);
-    return ticks;
-}
 
 Result<RgbPicture> map_picture(const ColoredMap& map, const std::string& caption) {
     POL_EXPECTS(map.picture.width > 0 && map.picture.height > 0);

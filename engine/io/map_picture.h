@@ -15,8 +15,4 @@ namespace pol {
 /// is larger than cairo can draw on (about 32,000 pixels a side).
 Result<RgbPicture> map_picture(const ColoredMap& map, const std::string& caption);
 
-/// Values at which the bar carries numbers: both ends, and round ones between them. Ascending.
-/// Requires: range.low < range.high.
-std::vector<double> bar_ticks(const MapRange& range, ScaleKind kind);
-
 }  // namespace pol

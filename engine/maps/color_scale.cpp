@@ -49,7 +49,7 @@ Oklab diverging(double t) {
 
 Oklab cyclic(double t) {
     constexpr double radius = 0.155;
-    const double tilt = radians(20.0);
+    const double tilt = radians(30.0);
     const double phase = 2.0 * pi * t;
     return {0.58 - radius * std::cos(tilt) * std::cos(phase), 0.02 + radius * std::sin(tilt) * std::cos(phase),
             -0.04 + radius * std::sin(phase)};

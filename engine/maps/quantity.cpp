@@ -18,7 +18,7 @@ constexpr double from_data = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<QuantityInfo, 16> table{{
     {Quantity::color, "color", "Color", "", ScaleKind::color, 0.0, 1.0,
      "S0 at all wavelengths as CIE 1931 color in sRGB; gray if there is one wavelength"},
-    {Quantity::intensity, "intensity", "Intensity", "x D65", ScaleKind::gray, 0.0, 1.0,
+    {Quantity::intensity, "intensity", "Intensity", "\u00d7 D65", ScaleKind::gray, 0.0, 1.0,
      "S0 divided by CIE D65 at that wavelength (D65 is 1 at 560 nm)"},
     {Quantity::dop, "dop", "Degree of polarization", "", ScaleKind::sequential, 0.0, 1.0,
      "P = |(S1, S2, S3)| / S0: 0 unpolarized, 1 fully polarized"},

@@ -12,6 +12,7 @@
 
 #include "io/map_picture.h"
 #include "io/png_file.h"
+#include "maps/bar_ticks.h"
 
 namespace pol {
 namespace {
@@ -216,7 +217,7 @@ TEST(BarTicks, AreRoundNumbersBetweenTheEnds) {
         EXPECT_EQ(ticks.back(), high);
     }
     // Ends so close that a round step would not move a number on.
-    EXPECT_LE(bar_ticks({1.0, 1.0 + 1e-15}, ScaleKind::sequential).size(), 9U);
+    EXPECT_LE(bar_ticks({1.0, std::nextafter(1.0, 2.0)}, ScaleKind::sequential).size(), 9U);
 }
 
 }  // namespace
