@@ -28,11 +28,11 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// The first of the nearest words, if it is near enough to be a slip of the pen: at most a third of the letters, at
-/// least one.
+/// The first of the nearest words, if it is near enough to be a slip of the pen: at most half of the letters
+/// differ, or one.
 inline std::optional<std::string_view> nearest_word(std::string_view word, std::span<const std::string_view> known) {
     std::optional<std::string_view> best;
-    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 2) + 1;
     if (word.size() > 100) return best;
     for (const std::string_view candidate : known) {
         const std::size_t distance = edit_distance(word, candidate);

@@ -109,7 +109,7 @@ double read_unit(const YamlValue& value) {
     return unit == "nm" ? 1.0 : unit == "um" ? 1e3 : unit == "mm" ? 1e6 : unit == "cm" ? 1e7 : 1e9;
 }
 
-void read_include(Reading& reading, const YamlValue& value);
+void read_include(Reading& reading, const YamlValue& value, const AssetFolders& folders);
 
 /// Media and objects of one file, then those of its includes.
 void read_contents(Reading& reading, const YamlMap& map, const fs::path& folder) {
@@ -126,8 +126,7 @@ void read_contents(Reading& reading, const YamlMap& map, const fs::path& folder)
         }
     }
     if (const auto include = map.find("include")) {
-        const std::vector<YamlValue> files = include->list();
-        for (const YamlValue& file : files) read_include(reading, file);
+        for (const YamlValue& file : include->list()) read_include(reading, file, folders);
     }
 }
 
@@ -137,9 +136,8 @@ std::string chain_text(const std::vector<fs::path>& chain, const fs::path& last)
     return text + last.filename().string();
 }
 
-void read_include(Reading& reading, const YamlValue& value) {
-    const fs::path outer = value.file().name;
-    const fs::path path = find_asset(value, {fs::absolute(outer).parent_path(), reading.assets}, "scenes");
+void read_include(Reading& reading, const YamlValue& value, const AssetFolders& folders) {
+    const fs::path path = find_asset(value, folders, "scenes");
     const fs::path canonical = fs::canonical(path);
     if (std::find(reading.chain.begin(), reading.chain.end(), canonical) != reading.chain.end()) {
         value.fail("the file includes itself: " + chain_text(reading.chain, canonical), "remove this include");

@@ -42,7 +42,6 @@ public:
     YamlValue(YAML::Node node, const YamlFile& file, std::string path);
 
     [[nodiscard]] const std::string& path() const { return path_; }
-    [[nodiscard]] const YamlFile& file() const { return *file_; }
     [[nodiscard]] SourcePlace place() const;
     [[nodiscard]] Place message_place() const;
     /// Throws YamlComplaint at this value.

@@ -7,6 +7,7 @@
 #include "core/overloaded.h"
 #include "core/units.h"
 #include "geometry/mesh_check.h"
+#include "geometry/shapes.h"
 #include "scene/check_rules.h"
 
 namespace pol {
@@ -26,6 +27,15 @@ void require_share(SceneCheck& check, double share, const std::string& field) {
     check.require(share > 0.0 && share < 1.0, field, "must lie between 0 and 1", "it is a ratio, not a percentage");
 }
 
+/// Combinations of parameters that no solid has, such as a pavilion that is cut away.
+void require_possible(SceneCheck& check, const Shape& shape, const std::string& field) {
+    if (check.failed()) return;
+    const Result<Mesh> mesh = make_mesh(shape);
+    if (mesh) return;
+    const std::string& parameter = mesh.error().field;
+    check.require(false, parameter.empty() ? field : field + "." + parameter, mesh.error().what, mesh.error().hint);
+}
+
 void check_shape(SceneCheck& check, const Shape& shape, const std::string& field) {
     std::visit(Overloaded{
                    [&](const BrilliantShape& s) {
@@ -37,6 +47,7 @@ void check_shape(SceneCheck& check, const Shape& shape, const std::string& field
                        require_share(check, s.girdle_ratio, name + ".girdle_ratio");
                        require_share(check, s.star_length, name + ".star_length");
                        require_share(check, s.lower_half_length, name + ".lower_half_length");
+                       require_possible(check, shape, name);
                    },
                    [&](const BoxShape& s) {
                        for (int i = 0; i < 3; ++i) check.require_size(s.size[i], field + ".box.size");
@@ -49,16 +60,19 @@ void check_shape(SceneCheck& check, const Shape& shape, const std::string& field
                            check.require_position({p.x, p.y, 0.0}, field + ".extrusion.polygon");
                        }
                        check.require_size(s.height, field + ".extrusion.height");
+                       require_possible(check, shape, field + ".extrusion");
                    },
                    [&](const PrismShape& s) {
                        require_angle(check, s.apex_angle, 180.0, field + ".prism.apex_angle");
                        check.require_size(s.side, field + ".prism.side");
                        check.require_size(s.height, field + ".prism.height");
+                       require_possible(check, shape, field + ".prism");
                    },
                    [&](const RhombShape& s) {
                        require_angle(check, s.angle, 90.0, field + ".rhomb.angle");
                        check.require_size(s.aperture, field + ".rhomb.aperture");
                        check.require_size(s.height, field + ".rhomb.height");
+                       require_possible(check, shape, field + ".rhomb");
                    },
                    [&](const SphereShape& s) { check.require_size(s.radius, field + ".sphere.radius"); },
                    [&](const RectangleShape& s) {
