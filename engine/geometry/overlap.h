@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/facet_contact.h"
 #include "geometry/half_space_solid.h"
 #include "geometry/mesh.h"
 #include "geometry/sphere.h"
@@ -25,13 +26,8 @@ enum class Arrangement {
 /// How `a` and `b` lie to each other. Lengths count as zero below `tolerance` times the larger solid's radius.
 /// Equal solids: a_contains_b. Methods: convex pairs by separating axes (face normals and edge cross products;
 /// Gottschalk et al., OBBTree, SIGGRAPH 1996, sec. 5), spheres by distance, non-convex meshes by triangle pairs
-/// and containment.
+/// and containment (those count as touching where a corner of one lies on the other).
 Arrangement arrangement(const SolidRef& a, const SolidRef& b, double tolerance = 1e-9);
-
-struct FacetPair {
-    int a = 0;
-    int b = 0;
-};
 
 /// Facets of `a` and `b` that lie in one plane (within `tolerance`, as above), face each other and share an area.
 /// A sphere has none.

@@ -173,7 +173,7 @@ TEST(RayCaster, FindsWhatAPlainLoopOverAllTrianglesFinds) {
         const auto found = rays.nearest(o, d);
         auto expected = plain_nearest(mesh, o, d);
         double passed = 0.0;
-        if (i % 3 == 0 && expected && (!found || found->facet != expected->facet)) {
+        if (i % 3 == 0 && expected && (!found || found->distance - expected->distance > 1e-9)) {
             // Floats may miss a silhouette that is cut less deep than they can tell: then what comes next is right.
             ++touches;
             passed = expected->distance + 1e-5 / std::sqrt(length2(d));
@@ -182,7 +182,10 @@ TEST(RayCaster, FindsWhatAPlainLoopOverAllTrianglesFinds) {
         ASSERT_EQ(found.has_value(), expected.has_value()) << i;
         if (!found) continue;
         // Interpolated and plane distance differ by rounding over the cosine.
-        const double cosine = std::abs(dot(mesh.facets[static_cast<std::size_t>(expected->facet)].normal, unit(d)));
+        const auto cosine_at = [&](const MeshHit& h) {
+            return std::abs(dot(mesh.facets[static_cast<std::size_t>(h.facet)].normal, unit(d)));
+        };
+        const double cosine = std::min(cosine_at(*expected), cosine_at(*found));
         ASSERT_NEAR(found->distance, passed + expected->distance, 1e-14 + 4e-15 / cosine) << i;
     }
     EXPECT_LT(touches, 20000 / 3 / 10) << "far fewer than one aimed ray in ten may be such a touch";
