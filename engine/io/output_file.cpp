@@ -6,7 +6,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -95,9 +94,13 @@ Result<std::unique_ptr<OutputFile>> OutputFile::create(const fs::path& path) {
 
     const std::string prefix = fmt::format(".{}.", name);
     remove_leftovers(stream->folder, prefix);
-    static std::atomic<unsigned> serial{0};
-    const fs::path temporary = stream->folder / fmt::format("{}{}-{}.tmp", prefix, ::getpid(), serial++);
-    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    // Two writers of one program take different numbers.
+    fs::path temporary;
+    int descriptor = -1;
+    for (int serial = 0; descriptor < 0 && (serial == 0 || errno == EEXIST); ++serial) {
+        temporary = stream->folder / fmt::format("{}{}-{}.tmp", prefix, ::getpid(), serial);
+        descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
     if (descriptor < 0) return output_error(path, fmt::format("cannot be written: {}", reason(errno)));
     stream->temporary = temporary;
     stream->file = ::fdopen(descriptor, "wb");
