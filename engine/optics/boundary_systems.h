@@ -256,7 +256,11 @@ void cross_crystals(BoundaryResponse<Real>& response, const Incidence<Real>& inc
         rows[2][4 + c] = Scalar(-in.h_x);
         rows[3][4 + c] = Scalar(-in.h_y);
     }
-    solve_4x4(rows, static_cast<int>(incidence.modes));
+    if (incidence.modes == 1) {
+        solve_4x4<1>(rows);
+    } else {
+        solve_4x4<2>(rows);
+    }
     Amplitudes<Scalar> reflected{};
     Amplitudes<Scalar> transmitted{};
     for (std::size_t c = 0; c < incidence.modes; ++c) {

@@ -21,19 +21,22 @@ void solve_2x2(const std::array<std::array<Scalar, 2>, 2>& m, std::array<std::ar
     }
 }
 
-/// Gaussian elimination with partial pivoting: rows hold the 4x4 matrix and up to two right sides in columns 4 and 5,
+/// Gaussian elimination with partial pivoting: rows hold the 4x4 matrix and `Columns` right sides from column 4 on,
 /// which become the solutions.
-template <class Scalar>
-void solve_4x4(std::array<std::array<Scalar, 6>, 4>& rows, int columns) {
-    const std::size_t end = 4 + static_cast<std::size_t>(columns);
+template <std::size_t Columns, class Scalar>
+void solve_4x4(std::array<std::array<Scalar, 6>, 4>& rows) {
+    constexpr std::size_t end = 4 + Columns;
+    const Scalar one(decltype(norm2(rows[0][0]))(1));
+    std::array<Scalar, 4> per_pivot;
     for (std::size_t i = 0; i < 4; ++i) {
         std::size_t pivot = i;
         for (std::size_t j = i + 1; j < 4; ++j) {
             if (norm2(rows[j][i]) > norm2(rows[pivot][i])) pivot = j;
         }
         if (pivot != i) std::swap(rows[i], rows[pivot]);
+        per_pivot[i] = one / rows[i][i];
         for (std::size_t j = i + 1; j < 4; ++j) {
-            const Scalar factor = rows[j][i] / rows[i][i];
+            const Scalar factor = rows[j][i] * per_pivot[i];
             for (std::size_t c = i + 1; c < end; ++c) rows[j][c] = rows[j][c] - factor * rows[i][c];
         }
     }
@@ -41,7 +44,7 @@ void solve_4x4(std::array<std::array<Scalar, 6>, 4>& rows, int columns) {
         for (std::size_t i = 4; i-- > 0;) {
             Scalar sum = rows[i][c];
             for (std::size_t j = i + 1; j < 4; ++j) sum = sum - rows[i][j] * rows[j][c];
-            rows[i][c] = sum / rows[i][i];
+            rows[i][c] = sum * per_pivot[i];
         }
     }
 }
