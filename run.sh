@@ -13,7 +13,8 @@ renders SCENE, by default assets/scenes/paper-calcite-unpolarized.yaml, into ./o
   NAME.exr              Stokes vectors at 380:780:20 nm with the residual, for any EXR viewer
   NAME-color.png        color, the spectrum seen by the CIE 1931 observer
   NAME-intensity.png    and -dop, -ellipticity, -azimuth, -residual: maps at 580 nm
-A second call installs, builds and renders only what is new. JOBS=N sets the number of compile jobs.
+Past 100 nodes of a sample one random path stands for the rest, so that crystals in color take a minute, not an hour;
+"polariscope render" without that limit is more exact. A second call installs, builds and renders only what is new. JOBS=N sets the number of compile jobs.
 
 Examples:
   ./run.sh
@@ -47,7 +48,7 @@ out_of_date() {
 }
 
 if out_of_date "$name.exr"; then
-    "$program" render "$scene" -o "$name.exr" --wavelengths 380:780:20
+    "$program" render "$scene" -o "$name.exr" --wavelengths 380:780:20 --node-budget 100
 fi
 # draw MAP [OPTION...]
 draw() {

@@ -25,7 +25,7 @@ VARIANTS = {
     "g1, 21 wavelengths, 1 thread": ("g1.yaml", ["--spp", "16", "--wavelengths", "380:780:20", "--threads", "1"]),
     "g2, 1 wavelength, 1 thread": ("g2.yaml", ["--spp", "4", "--wavelengths", "580", "--threads", "1"]),
 }
-# what -> numerator, denominator (of trace seconds)
+# what -> numerator, denominator (of wall seconds of the tracing alone)
 RATIOS = {
     "two threads against one (at least 1.9)": ("g1, 1 wavelength, 1 thread", "g1, 1 wavelength, 2 threads"),
     "21 wavelengths against one (at most 2)": ("g1, 21 wavelengths, 1 thread", "g1, 1 wavelength, 1 thread"),
@@ -54,15 +54,15 @@ def main():
         return statistics.median(run[key] for run in runs[name])
 
     print(f"== whole renders, medians of {ROUNDS}")
-    print(f"{'variant':32} {'trace s':>8} {'M samples/s':>12} {'M rays/s':>9} {'peak MiB':>9}")
+    print(f"{'variant':32} {'trace s':>8} {'M samples/s':>12} {'M rays/s':>9} {'B/pixel':>9}")
     for name in VARIANTS:
-        seconds = median(name, "trace_seconds")
+        seconds = median(name, "t_render_wall_s")
         print(
-            f"{name:32} {seconds:8.3f} {median(name, 'samples') / seconds / 1e6:12.3f} "
-            f"{median(name, 'rays') / seconds / 1e6:9.2f} {median(name, 'peak_bytes') / 2**20:9.1f}"
+            f"{name:32} {seconds:8.3f} {median(name, 'camera_samples') / seconds / 1e6:12.3f} "
+            f"{median(name, 'rays') / seconds / 1e6:9.2f} {median(name, 'film_bytes_per_pixel'):9.0f}"
         )
     for what, (above, below) in RATIOS.items():
-        each = sorted(a["trace_seconds"] / b["trace_seconds"] for a, b in zip(runs[above], runs[below]))
+        each = sorted(a["t_render_wall_s"] / b["t_render_wall_s"] for a, b in zip(runs[above], runs[below]))
         print(f"{what}: {statistics.median(each):.2f} (from {each[0]:.2f} to {each[-1]:.2f})")
 
 
