@@ -49,6 +49,9 @@ Result<Done> set_size(std::string_view text, RenderSettings& settings) {
 /// Two gigapixels would already need 100 GB.
 constexpr std::int64_t most_pixels = std::int64_t{1} << 31U;
 
+/// With the paper's depth limit the tree is to be whole: crystals make 3^9 = 19683 leaves at its depth of 9.
+constexpr int whole_tree = 1 << 24;
+
 }  // namespace
 
 Result<Scene> load_scene_with(const SceneOptions& options) {
@@ -74,6 +77,7 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
         if (*options.depth < 0) return usage("--depth", fmt::format("{} is no depth", *options.depth), "0 or more");
         settings.depth = options.depth;
         settings.residual = 0.0;
+        settings.node_budget = whole_tree;
     }
     if (options.residual) {
         if (!(*options.residual >= 0.0) || *options.residual > 1.0)

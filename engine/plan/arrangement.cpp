@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/overloaded.h"
@@ -124,8 +125,29 @@ Hull hull_of(const Surface& surface) {
                       surface.shape);
 }
 
+/// True if the whole solid lies on one side of the plane; touching it counts as beside.
+bool beside(const Plane& plane, const Solid& solid, double margin) {
+    const auto one_side = [&](const std::vector<DVec3>& points) {
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (const DVec3& p : points) {
+            const double height = dot(plane.normal, p) - plane.offset;
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+        return low >= -margin || high <= margin;
+    };
+    return std::visit(Overloaded{
+                          [&](const HalfSpaceSolid& s) { return one_side(s.vertices()); },
+                          [&](const Sphere& s) { return std::abs(dot(plane.normal, s.center) - plane.offset) >= s.radius - margin; },
+                          [&](const MeshBody& s) { return one_side(s.mesh.vertices); },
+                      },
+                      solid.shape);
+}
+
 /// True if the surface surely has no point inside the solid. Lying on its boundary is outside.
-bool surely_outside(const Hull& hull, const Solid& solid, double margin) {
+bool surely_outside(const Surface& surface, const Hull& hull, const Solid& solid, double margin) {
+    if (const auto* open = std::get_if<OpenSurface>(&surface.shape); open != nullptr && beside(open->plane(), solid, margin)) return true;
     const auto* half_spaces = std::get_if<HalfSpaceSolid>(&solid.shape);
     if (half_spaces == nullptr) return false;
     for (int i = 0; i < half_spaces->facet_count(); ++i) {
@@ -229,7 +251,7 @@ private:
             const Hull hull = hull_of(plan_.surfaces[i]);
             bool here = true;
             for (int solid = 0; solid < plan_.solid_count() && here; ++solid)
-                here = has(region.members, solid) ? !surely_outside(hull, plan_.solid(solid), margin)
+                here = has(region.members, solid) ? !surely_outside(plan_.surfaces[i], hull, plan_.solid(solid), margin)
                                                   : !surely_inside(hull, plan_.solid(solid), margin);
             if (here) add(plan_.solid_count() + static_cast<int>(i), plan_.surfaces[i].shape, region.surfaces);
         }

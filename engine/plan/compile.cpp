@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/overloaded.h"
 #include "geometry/mesh_check.h"
@@ -16,17 +15,6 @@
 namespace pol {
 
 namespace {
-
-bool is_flat_solid(const Shape& shape) {
-    return std::visit(Overloaded{
-                          [](const SphereShape&) { return false; },
-                          [](const RectangleShape&) { return false; },
-                          [](const DiskShape&) { return false; },
-                          [](const MeshShape&) { return false; },
-                          [](const auto&) { return true; },
-                      },
-                      shape);
-}
 
 /// Shape of a solid in world space: half-spaces where it is flat-faced and convex, else a sphere or a mesh.
 using SolidShape = std::variant<HalfSpaceSolid, Sphere, MeshBody>;

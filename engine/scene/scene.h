@@ -55,7 +55,7 @@ struct RenderSettings {
     int samples_per_pixel = 1;
     double residual = 1e-3;          ///< largest share of a pixel that may stay untraced
     std::optional<int> depth;        ///< the paper's depth limit; none: cut by energy alone
-    int node_budget = 1 << 17;       ///< nodes a sample may expand before its random tail
+    int node_budget = 1000;          ///< branches a sample may follow before its random tail
     std::uint64_t seed = 0;
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
