@@ -14,7 +14,8 @@ renders SCENE, by default assets/scenes/paper-calcite-unpolarized.yaml, into ./o
   NAME-color.png        color, the spectrum seen by the CIE 1931 observer
   NAME-intensity.png    and -dop, -ellipticity, -azimuth, -residual: maps at 580 nm
 Past 100 nodes of a sample one random path stands for the rest, so that crystals in color take a minute, not an hour;
-"polariscope render" without that limit is more exact. A second call installs, builds and renders only what is new. JOBS=N sets the number of compile jobs.
+"polariscope render" without that limit is more exact. A second call installs, builds and renders only what is new.
+JOBS=N sets the number of compile jobs.
 
 Examples:
   ./run.sh
