@@ -11,7 +11,8 @@ namespace {
 
 // Half the chord and the distance from `o` to its middle. Haines, Guenther, Akenine-Moeller, "Precision improvements
 // for ray/sphere intersection", Ray Tracing Gems (2019), ch. 7: the discriminant from the distance of the center to
-// the line, not from b^2 - c, which cancels for distant or large spheres.
+// the line, not from b^2 - c, which cancels for distant or large spheres. The roots middle -+ half then err by an ulp
+// of the larger term, which the rounding of `o` itself costs anyway.
 struct Chord {
     double middle = 0.0;
     double half2 = 0.0;  // negative: the line misses
@@ -24,12 +25,6 @@ Chord chord(const Sphere& s, const DVec3& o, const DVec3& d) {
     return {middle, (s.radius - off_axis) * (s.radius + off_axis)};
 }
 
-// Product of the two roots: |o - center|^2 - r^2, factored.
-double power_of_point(const Sphere& s, const DVec3& o) {
-    const double distance = std::sqrt(length2(o - s.center));
-    return (distance - s.radius) * (distance + s.radius);
-}
-
 }  // namespace
 
 FacetHit Sphere::exit(const DVec3& o, const DVec3& d, int skip) const {
@@ -39,18 +34,14 @@ FacetHit Sphere::exit(const DVec3& o, const DVec3& d, int skip) const {
     }
     const Chord c = chord(*this, o, d);
     if (!(c.half2 >= 0.0)) return {};
-    const double half = std::sqrt(c.half2);
-    // The larger root by magnitude is a sum; the other follows from the product, so neither cancels.
-    if (c.middle >= 0.0) return {c.middle + half, 0};
-    return {power_of_point(*this, o) / (c.middle - half), 0};
+    return {c.middle + std::sqrt(c.half2), 0};
 }
 
 FacetHit Sphere::enter(const DVec3& o, const DVec3& d, int skip) const {
     if (skip >= 0) return {};
     const Chord c = chord(*this, o, d);
     if (!(c.half2 >= 0.0) || !(c.middle > 0.0)) return {};
-    const double far = c.middle + std::sqrt(c.half2);
-    return {power_of_point(*this, o) / far, 0};
+    return {c.middle - std::sqrt(c.half2), 0};
 }
 
 bool Sphere::contains(const DVec3& p, double margin) const {
