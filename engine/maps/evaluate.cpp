@@ -100,6 +100,9 @@ MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t
     const Measures<double> m = measure(s, noise);
     const auto bars = error_bars(image, wavelength, pixel);
     if (!std::isfinite(m.dop) || !bars) return empty(PixelState::not_a_number);
+    // Crossed polarizers leave a rounding error of the light that they stop: 1e-33 of it is no light.
+    const double brightest = image.brightest.empty() ? 0.0 : image.brightest[wavelength];
+    if (bars->s0.high <= noise * brightest) return empty(PixelState::no_light);
     if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
 
     const Reading reading = read(quantity, s, m, *bars);

@@ -15,7 +15,7 @@ namespace pol {
 /// Why a pixel of a map can be empty.
 enum class PixelState : std::uint8_t {
     defined,
-    no_light,      ///< S0 = 0, and nothing was left out: black
+    no_light,      ///< S0, what was left out included, is nothing but rounding: black
     undefined,     ///< light, but without the property: azimuth of unpolarized or circular light
     undetermined,  ///< so much light was left out that the value may lie anywhere in half of its range or more
     not_a_number,  ///< NaN, infinite or S0 < 0: a defect of the renderer

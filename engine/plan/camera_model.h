@@ -9,8 +9,10 @@
 
 namespace pol {
 
-/// A backward ray and its polarization frame: x = unit(direction x up), y = x rotated so that (x, y, -direction) is
-/// right-handed: image right and image up, seen by the receiver; the light travels along -direction.
+/// A backward ray and its polarization frame: x = unit(direction x image up), with image up perpendicular to the camera's
+/// axis (not the user's `up`, about which frames would spin in a picture taken from above), and y such that
+/// (x, y, -direction) is right-handed: image right and image up, seen by the receiver; the light travels along
+/// -direction. Mitsuba 3's Stokes integrator has the same frame.
 struct CameraRay {
     DVec3 origin{};
     DVec3 direction{};
@@ -25,9 +27,9 @@ public:
 
     /// Requires: position != target, up not parallel to the view direction, positive size (checked by scene/check).
     CameraModel(const Camera& camera, int width, int height)
-        : projection_(camera.projection), origin_(camera.position), up_(unit(camera.up)) {
+        : projection_(camera.projection), origin_(camera.position) {
         forward_ = unit(camera.target - camera.position);
-        right_ = unit(cross(forward_, up_));
+        right_ = unit(cross(forward_, unit(camera.up)));
         above_ = cross(right_, forward_);
         const double picture_width =
             projection_ == Projection::perspective ? 2.0 * std::tan(0.5 * camera.horizontal_fov) : camera.width;
@@ -47,8 +49,7 @@ public:
             ray.origin = origin_ + offset;
             ray.direction = forward_;
         }
-        const DVec3 across = cross(ray.direction, up_);
-        ray.x = length2(across) > 0.0 ? unit(across) : right_;  // looking straight along `up`: any x will do
+        ray.x = unit(cross(ray.direction, above_));
         ray.y = cross(ray.x, ray.direction);
         return ray;
     }
@@ -58,7 +59,6 @@ public:
 private:
     Projection projection_ = Projection::perspective;
     DVec3 origin_{};
-    DVec3 up_{};
     DVec3 forward_{};
     DVec3 right_{};
     DVec3 above_{};
