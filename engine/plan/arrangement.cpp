@@ -256,6 +256,10 @@ private:
             if (here) add(plan_.solid_count() + static_cast<int>(i), plan_.surfaces[i].shape, region.surfaces);
         }
         if (meshes.empty()) return Done{};
+        for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
+            if (has(region.members, region.caster_body[mesh])) region.caster_inside.push_back({static_cast<int>(mesh), -1, -1});
+        if (region.caster_inside.size() > max_nested_meshes)
+            return Error{ErrorKind::input, "meshes are nested more than 8 deep", {}, "objects", "flat convex solids and spheres may be"};
         auto caster = RayCaster::build(std::move(meshes));
         if (!caster) return caster.error();
         region.caster = std::make_unique<const RayCaster>(std::move(caster).value());

@@ -21,6 +21,7 @@ namespace pol {
 struct Left {
     int body = -1;
     int facet = -1;
+    int triangle = -1;  ///< of a mesh, as RayCaster gave it; -1 if unknown
 };
 
 /// Shape that Embree intersects; the index is the mesh's place in its body, see Region::caster.

@@ -30,6 +30,8 @@ struct WavelengthGroup {
     std::vector<MediumAt> media;   ///< by index into Plan::medium_names
 };
 
+constexpr std::size_t max_nested_meshes = 8;
+
 /// A part of space with one medium: the set of solids that a ray is inside of. Region 0 lies outside all of them.
 /// Candidates for the next hit are the ways out of the members, the ways into solids that reach into this region, and the
 /// surfaces in it.
@@ -42,6 +44,7 @@ struct Region {
     std::vector<int> surfaces;  ///< surfaces that are not meshes
     std::unique_ptr<const RayCaster> caster;  ///< the meshes among them, or null
     std::vector<int> caster_body;             ///< body of each mesh of the caster
+    std::vector<LeftFacet> caster_inside;     ///< its meshes that a ray in this region is inside of, at most max_nested_meshes
     std::vector<int> toggled;   ///< by solid: the region on the other side of its boundary; -1: cannot be
 };
 

@@ -2,6 +2,7 @@
 #include "tracer/crossing.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <variant>
 
@@ -16,7 +17,7 @@ constexpr double contact_margin = 1e-12;
 
 /// Keeps the nearer of two candidates; on a tie the earlier one stays.
 void keep_nearer(Crossing& nearest, double distance, int body, int facet) {
-    if (facet >= 0 && (nearest.body < 0 || distance < nearest.distance)) nearest = {distance, body, facet, {}, {}};
+    if (facet >= 0 && (nearest.body < 0 || distance < nearest.distance)) nearest = {distance, body, facet, -1, {}, {}};
 }
 
 int skip_of(const Left& left, int body) { return left.body == body ? left.facet : -1; }
@@ -80,12 +81,18 @@ Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& orig
         keep_nearer(nearest, hit.distance, body, hit.facet);
     }
     if (region.caster) {
-        LeftFacet left_mesh;
+        // Where the ray stands with the meshes: on the facet it has just left, inside of some, outside of the rest.
+        std::array<LeftFacet, max_nested_meshes + 1> stands{};
+        std::size_t count = 0;
+        for (const LeftFacet& inside : region.caster_inside)
+            if (region.caster_body[static_cast<std::size_t>(inside.mesh)] != left.body) stands[count++] = inside;
         for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
-            if (region.caster_body[mesh] == left.body) left_mesh = {static_cast<int>(mesh), left.facet};
-        const std::span<const LeftFacet> skipped(&left_mesh, left_mesh.mesh >= 0 ? 1U : 0U);
-        if (const auto hit = region.caster->nearest(origin, direction, skipped))
-            keep_nearer(nearest, hit->distance, region.caster_body[static_cast<std::size_t>(hit->mesh)], hit->facet);
+            if (region.caster_body[mesh] == left.body) stands[count++] = {static_cast<int>(mesh), left.facet, left.triangle};
+        if (const auto hit = region.caster->nearest(origin, direction, {stands.data(), count})) {
+            const int body = region.caster_body[static_cast<std::size_t>(hit->mesh)];
+            keep_nearer(nearest, hit->distance, body, hit->facet);
+            if (nearest.body == body) nearest.triangle = hit->triangle;
+        }
     }
     if (nearest.body >= 0) nearest.normal = normal_of(plan, nearest, origin + direction * nearest.distance);
     return nearest;
@@ -129,7 +136,7 @@ FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const D
     const auto toggle = [&](int from, int solid) {
         return from < 0 ? -1 : plan.regions[static_cast<std::size_t>(from)].toggled[static_cast<std::size_t>(solid)];
     };
-    FarSide far{toggle(region, crossing.body), {crossing.body, crossing.facet}};
+    FarSide far{toggle(region, crossing.body), {crossing.body, crossing.facet, crossing.triangle}};
     const Solid& solid = plan.solid(crossing.body);
     if (solid.contacts.empty()) return far;
     const std::vector<int>& members = plan.regions[static_cast<std::size_t>(region)].members;
@@ -139,7 +146,7 @@ FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const D
         if ((inside(crossing.body) == inside(contact.other_solid)) != contact.flush) continue;
         if (!facet_covers(plan.solid(contact.other_solid), contact.other_facet, point, contact_margin * plan.length_scale)) continue;
         far.region = toggle(far.region, contact.other_solid);
-        far.left = {contact.other_solid, contact.other_facet};
+        far.left = {contact.other_solid, contact.other_facet, -1};
     }
     return far;
 }

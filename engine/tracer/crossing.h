@@ -12,6 +12,7 @@ struct Crossing {
     double distance = 0.0;
     int body = -1;
     int facet = -1;
+    int triangle = -1;  ///< of a mesh
     DVec3 normal{};  ///< outward unit normal of the body there
     DVec2 uv{};      ///< place on an open surface, 0..1 along its x and y
 };

@@ -217,7 +217,7 @@ private:
         }
         if (const auto* role = std::get_if<SheetRole>(&surface.role)) {
             if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);
-            const Node child = through_sheet(node, role->sheet, Left{crossing.body, crossing.facet});
+            const Node child = through_sheet(node, role->sheet, Left{crossing.body, crossing.facet, crossing.triangle});
             result_.absorbed += node.weight - child.weight;
             add_child(node, child, Interaction::sheet);
             return;
@@ -228,7 +228,7 @@ private:
     void meet_boundary(const Node& node, const Crossing& crossing, const FarSide& far, const DVec3& normal) {
         const Dielectric<double>& from = medium_of(node.region).dielectric;
         const Dielectric<double>& to = medium_of(far.region).dielectric;
-        const Left same_side{crossing.body, crossing.facet};
+        const Left same_side{crossing.body, crossing.facet, crossing.triangle};
         Branches branches;
         if constexpr (anisotropic) {
             branches = cross_boundary(node, from, to, normal);
