@@ -75,6 +75,14 @@ std::string text_of(const CoherenceMatrix<double>& j, bool single) {
     return fmt::format("[[{:.6g}, {:.6g}{:+.6g}i], [{:.6g}{:+.6g}i, {:.6g}]]", j.xx, j.xy.re, j.xy.im, j.xy.re, -j.xy.im, j.yy);
 }
 
+std::string text_of(const Complex<double>& z) { return fmt::format("{:.6g}{:+.6g}i", z.re, z.im); }
+
+/// Rows are the camera's x and y, columns the field vectors of the branch.
+std::string text_of(const Throughput& t, bool single) {
+    if (single) return fmt::format("[[{}], [{}]]", text_of(t.m[0][0]), text_of(t.m[1][0]));
+    return fmt::format("[[{}, {}], [{}, {}]]", text_of(t.m[0][0]), text_of(t.m[0][1]), text_of(t.m[1][0]), text_of(t.m[1][1]));
+}
+
 void write_measures(std::string& out, const Plan& plan, const Explanation& e) {
     const Stokes<double>& s = e.sample_light;
     const CoherenceMatrix<double> j = to_coherence(s);
@@ -116,15 +124,16 @@ void write_branch(std::string& out, const Plan& plan, const Explanation& e, int 
     fmt::format_to(to, "{}#{} {} in {}, {}, n = {:.6f}, weight {:.6g}{}\n", pad, index, name_of(node.interaction), medium_of(plan, node.start.region),
                    mode_of(node.start.wave), std::sqrt(length2(node.start.wave.k)), node.start.weight, node.estimated ? "  (random tail)" : "");
     fmt::format_to(to, "{}   ray {}  k {}\n", pad, text_of(node.start.wave.ray), text_of(node.start.wave.k));
+    fmt::format_to(to, "{}   to the camera {}\n", pad, text_of(node.start.throughput, node.start.wave.kind != WaveKind::pair));
     if (!node.arriving.empty())
-        fmt::format_to(to, "{}   light here {}\n", pad, text_of(node.arriving[static_cast<std::size_t>(e.place)], node.start.wave.kind != WaveKind::pair));
+        fmt::format_to(to, "{}   light here {}", pad, text_of(node.arriving[static_cast<std::size_t>(e.place)], node.start.wave.kind != WaveKind::pair));
+    const double brings = node.share[static_cast<std::size_t>(e.place)].s0;
+    fmt::format_to(to, "{}brings S0 {:.6g}{}\n", node.arriving.empty() ? pad + "   " : ", ", brings,
+                   e.sample_light.s0 > 0.0 ? fmt::format(" ({:.3g} %)", 100.0 * brings / e.sample_light.s0) : "");
     if (node.arrived)
         fmt::format_to(to, "{}   meets {} facet {} at {}, {:.6f} deg\n", pad, plan.body_name(node.crossing.body), node.crossing.facet,
                        text_of(node.end.origin), degrees(node.angle));
-    if (node.reason) {
-        const double share = node.light.empty() ? 0.0 : node.light[static_cast<std::size_t>(e.place)].s0;
-        fmt::format_to(to, "{}   ends: {}{}\n", pad, name_of(*node.reason), share != 0.0 ? fmt::format(", brings S0 {:.6g}", share) : "");
-    }
+    if (node.reason) fmt::format_to(to, "{}   ends: {}\n", pad, name_of(*node.reason));
     for (const int child : node.children) write_branch(out, plan, e, child, indent + 1, least_share, hidden);
 }
 
@@ -159,6 +168,7 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
         out["matrix"].push_back(columns);
     }
     if (!node.arriving.empty()) out["arriving"] = json_of(node.arriving[place]);
+    out["share"] = json_of(node.share[place]);
     out["estimated"] = node.estimated;
     if (node.arrived) {
         out["surface"] = plan.body_name(node.crossing.body);
@@ -169,7 +179,7 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
     }
     if (node.reason) {
         out["ended"] = name_of(*node.reason);
-        if (!node.light.empty()) out["share"] = json_of(node.light[place]);
+        if (!node.light.empty()) out["light"] = json_of(node.light[place]);
     }
     return out;
 }

@@ -80,6 +80,10 @@ CoherenceMatrix<double> through(const Throughput& step, const CoherenceMatrix<do
 void gather(const Plan& plan, const TraceTask& task, RayTree& tree) {
     const std::size_t wavelengths = plan.groups[static_cast<std::size_t>(task.group)].wavelengths.size();
     for (auto node = tree.nodes.rbegin(); node != tree.nodes.rend(); ++node) {
+        node->share.assign(wavelengths, {});
+        for (std::size_t w = 0; w < node->light.size(); ++w) node->share[w] += node->light[w];
+        for (const int child : node->children)
+            for (std::size_t w = 0; w < wavelengths; ++w) node->share[w] += tree.nodes[static_cast<std::size_t>(child)].share[w];
         if (node->estimated) continue;
         if (node->reason) {
             node->arriving = leaf_source(plan, task, *node);

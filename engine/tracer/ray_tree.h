@@ -28,6 +28,7 @@ struct RayTreeNode {
     /// Coherence matrix of the light that arrives at the start of this branch, in start.wave.field (a single mode uses xx
     /// only), basic radiance times n_camera^2, per wavelength of the group. Empty on the random tail.
     std::vector<CoherenceMatrix<double>> arriving;
+    std::vector<Stokes<double>> share;  ///< what this branch and all that grew from it bring to the pixel, per wavelength
     std::vector<int> children;
 };
 
