@@ -61,7 +61,8 @@ Throughput step_matrix(const Plan& plan, const TraceTask& task, const RayTreeNod
         };
         const FarSide far = far_side(plan, node.region, parent.crossing, node.origin);
         const double sense = dot(parent.crossing.normal, node.wave.ray) < 0.0 ? -1.0 : 1.0;
-        const Branches branches = cross_boundary(node, medium(node.region), medium(far.region), parent.crossing.normal * sense);
+        Branches branches;
+        cross_boundary(node, medium(node.region), medium(far.region), parent.crossing.normal * sense, branches);
         for (int i = 0; i < branches.count; ++i) {
             const bool reflected = branches.side[i] == Side::reflected;
             if (reflected == (child.interaction == Interaction::reflected) && branches.node[i].wave.k == child.start.wave.k)

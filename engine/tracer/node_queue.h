@@ -52,6 +52,12 @@ public:
         return nodes_[top.slot];
     }
 
+    /// Calls visit(node) for every branch in the queue, in an order that depends on nothing but their history.
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (const Entry& entry : heap_) visit(nodes_[entry.slot]);
+    }
+
 private:
     struct Entry {
         double weight;

@@ -13,23 +13,31 @@
 namespace pol {
 
 /// Children of a branch at a boundary. Their origin, region, left facet, depth and id are the caller's to set.
+///
+/// A tracer keeps one and fills it again at every step: zeroing a new one would cost as much as Fresnel's formulas.
 struct Branches {
     Node node[4];
     Side side[4]{};
     int count = 0;
     double absorbed = 0.0;  ///< weight that a conductor swallows
     bool valid = true;      ///< false: the ray brings no energy to the boundary, a numerical failure
+
+    void clear() {
+        count = 0;
+        absorbed = 0.0;
+        valid = true;
+    }
 };
 
 /// Isotropic medium to isotropic medium or conductor. `normal` is unit and leans along the ray.
-inline Branches cross_isotropic_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
-                                         const DVec3& normal) {
-    Branches out;
+inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
+                                     const DVec3& normal, Branches& out) {
+    out.clear();
     const DVec3& d = node.wave.ray;
     const double cos_1 = dot(normal, d);
     if (!(cos_1 > 0.0)) {
         out.valid = false;
-        return out;
+        return;
     }
     const double q1 = from.n * cos_1;
 
@@ -60,7 +68,7 @@ inline Branches cross_isotropic_boundary(const Node& node, const Dielectric<doub
         add(Side::reflected, d - normal * (2.0 * cos_1), from.n, f.r_s, f.r_p);
         out.absorbed = 0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * f.absorbed_s +
                               (norm2(m.m[0][1]) + norm2(m.m[1][1])) * f.absorbed_p);
-        return out;
+        return;
     }
     const auto f = fresnel(from.n, to.n, q1);
     const bool reflects = f.r_s != Complex<double>(0.0) || f.r_p != Complex<double>(0.0);
@@ -70,17 +78,16 @@ inline Branches cross_isotropic_boundary(const Node& node, const Dielectric<doub
         const DVec3 ray = from.n == to.n ? d : (along * from.n + normal * f.q2) / to.n;
         add(Side::transmitted, ray, to.n, Complex<double>(f.t_s), Complex<double>(f.t_p));
     }
-    return out;
 }
 
 /// A crystal on one side or both, through the general solver.
-inline Branches cross_crystal_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
-                                       const DVec3& normal) {
-    Branches out;
+inline void cross_crystal_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
+                                   const DVec3& normal, Branches& out) {
+    out.clear();
     const BoundaryResponse<double> response = respond(from, to, normal, node.wave);
     if (!response.incident) {
         out.valid = false;
-        return out;
+        return;
     }
     const bool pair = response.incident_modes == 2;
     const Throughput m = pair ? in_basis(node.throughput, node.wave.field, response.incident_field[0], response.incident_field[1])
@@ -90,6 +97,7 @@ inline Branches cross_crystal_boundary(const Node& node, const Dielectric<double
         Node& child = out.node[out.count];
         out.side[out.count++] = wave.side;
         child.wave = wave.wave;
+        child.throughput = {};
         for (int row = 0; row < 2; ++row)
             for (int mode = 0; mode < wave.wave.mode_count(); ++mode) {
                 const auto& a = wave.amplitude[static_cast<std::size_t>(mode)];
@@ -107,13 +115,15 @@ inline Branches cross_crystal_boundary(const Node& node, const Dielectric<double
                     sum += m.m[row][i] * response.absorption[j][i] * conj(m.m[row][j]);
         out.absorbed = 0.5 * sum.re;
     }
-    return out;
 }
 
 /// Any pair of media, the cheaper way where there is one.
-inline Branches cross_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to, const DVec3& normal) {
-    return from.kind == MediumKind::uniaxial || to.kind == MediumKind::uniaxial ? cross_crystal_boundary(node, from, to, normal)
-                                                                                : cross_isotropic_boundary(node, from, to, normal);
+inline void cross_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to, const DVec3& normal,
+                           Branches& out) {
+    if (from.kind == MediumKind::uniaxial || to.kind == MediumKind::uniaxial)
+        cross_crystal_boundary(node, from, to, normal, out);
+    else
+        cross_isotropic_boundary(node, from, to, normal, out);
 }
 
 /// Straight through an ideal sheet in an isotropic medium.

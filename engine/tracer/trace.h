@@ -87,7 +87,7 @@ public:
                 return result_;
             }
             follow(queue_.pop());
-            for (const Node& child : children_) queue_.push(child);
+            for (int i = 0; i < children_.count; ++i) queue_.push(children_.node[i]);
         }
         const double open = close_queue(cut);
         if (cut == LeafReason::node_budget)
@@ -128,7 +128,7 @@ private:
     /// Follows a ray to its next interface; leaves go into the sums, branches into children_.
     void follow(Node node) {
         ++result_.nodes;
-        children_.clear();
+        children_.count = 0;
         const int depth_limit = plan_.settings.depth.value_or(-1);
         for (;;) {
             const Region& here = region(node.region);
@@ -217,9 +217,10 @@ private:
         }
         if (const auto* role = std::get_if<SheetRole>(&surface.role)) {
             if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);
-            const Node child = through_sheet(node, role->sheet, Left{crossing.body, crossing.facet, crossing.triangle});
-            result_.absorbed += node.weight - child.weight;
-            add_child(node, child, Interaction::sheet);
+            children_.node[0] = through_sheet(node, role->sheet, Left{crossing.body, crossing.facet, crossing.triangle});
+            children_.count = 1;
+            result_.absorbed += node.weight - children_.node[0].weight;
+            adopt_children(node, [](int) { return Interaction::sheet; });
             return;
         }
         absorb(node);
@@ -229,44 +230,54 @@ private:
         const Dielectric<double>& from = medium_of(node.region).dielectric;
         const Dielectric<double>& to = medium_of(far.region).dielectric;
         const Left same_side{crossing.body, crossing.facet, crossing.triangle};
-        Branches branches;
-        if constexpr (anisotropic) {
-            branches = cross_boundary(node, from, to, normal);
-        } else {
-            branches = cross_isotropic_boundary(node, from, to, normal);
+        if constexpr (anisotropic)
+            cross_boundary(node, from, to, normal, children_);
+        else
+            cross_isotropic_boundary(node, from, to, normal, children_);
+        if (!children_.valid) {
+            children_.count = 0;
+            return fail(node);
         }
-        if (!branches.valid) return fail(node);
-        result_.absorbed += branches.absorbed;
-        for (int i = 0; i < branches.count; ++i) {
-            Node& child = branches.node[i];
-            const bool reflected = branches.side[i] == Side::reflected;
+        result_.absorbed += children_.absorbed;
+        for (int i = 0; i < children_.count; ++i) {
+            Node& child = children_.node[i];
+            const bool reflected = children_.side[i] == Side::reflected;
             child.origin = node.origin;
             child.region = reflected ? node.region : far.region;
             child.left = reflected ? same_side : far.left;
-            add_child(node, child, reflected ? Interaction::reflected : Interaction::transmitted);
         }
+        adopt_children(node, [this](int i) {
+            return children_.side[i] == Side::reflected ? Interaction::reflected : Interaction::transmitted;
+        });
     }
 
-    void add_child(const Node& parent, const Node& child, Interaction interaction) {
-        if (!std::isfinite(child.weight)) return fail(child);
-        if (child.weight == 0.0) return;
-        children_.push_back(child);
-        Node& added = children_.back();
-        added.depth = parent.depth + 1;
-        added.id = next_id_++;
-        observer_.opened(added, parent.id, interaction);
+    /// Numbers the children and closes the gaps left by those that carry nothing.
+    template <class InteractionOf>
+    void adopt_children(const Node& parent, const InteractionOf& interaction_of) {
+        int kept = 0;
+        for (int i = 0; i < children_.count; ++i) {
+            Node& child = children_.node[i];
+            child.depth = parent.depth + 1;
+            if (child.weight == 0.0) continue;
+            child.id = next_id_++;
+            observer_.opened(child, parent.id, interaction_of(i));
+            if (!std::isfinite(child.weight)) {
+                fail(child);
+                continue;
+            }
+            if (kept != i) children_.node[kept] = child;
+            ++kept;
+        }
+        children_.count = kept;
     }
 
     /// Ends what is still open; returns its weight.
     double close_queue(LeafReason reason) {
-        open_.clear();
         double open = 0.0;
-        while (!queue_.empty()) {
-            open_.push_back(queue_.pop());
-            open += open_.back().weight;
-        }
-        if (reason == LeafReason::residual)
-            for (const Node& node : open_) leaf(node, reason);
+        queue_.for_each([&](const Node& node) {
+            open += node.weight;
+            if (reason == LeafReason::residual) leaf(node, reason);
+        });
         return open;
     }
 
@@ -275,13 +286,21 @@ private:
     void follow_tail(const TraceTask& task, double open) {
         std::uint32_t dimension = first_tail_dimension;
         double pick = random_unit(task.key, dimension++) * open;
-        std::size_t chosen = 0;
-        while (chosen + 1 < open_.size() && pick >= open_[chosen].weight) pick -= open_[chosen++].weight;
-        for (std::size_t i = 0; i < open_.size(); ++i)
-            if (i != chosen) leaf(open_[i], LeafReason::node_budget);
+        Node node;
+        node.id = -1;
+        queue_.for_each([&](const Node& candidate) {
+            if (node.id < 0 && pick < candidate.weight)
+                node = candidate;
+            else
+                leaf(candidate, LeafReason::node_budget);
+            pick -= candidate.weight;
+        });
+        if (node.id < 0) {  // a rounding error beyond the last one
+            result_.residual += open;
+            return;
+        }
 
         const TraceResult head = result_;
-        Node node = open_[chosen];
         observer_.tail_begins(node);
         bool ended = false;
         for (int step = 0; step < tail_limit && !ended; ++step) {
@@ -292,12 +311,12 @@ private:
             follow(node);
             if (result_.failures != failures || result_.residual != residual) break;  // ended without an answer
             double u = random_unit(task.key, dimension++) * open;
-            std::size_t branch = 0;
-            while (branch < children_.size() && u >= children_[branch].weight) u -= children_[branch++].weight;
-            ended = branch >= children_.size();  // a leaf, or absorbed with the probability of absorption
-            for (std::size_t i = 0; i < children_.size(); ++i)
-                if (i != branch) leaf(children_[i], LeafReason::node_budget);
-            if (!ended) node = children_[branch];
+            int branch = 0;
+            while (branch < children_.count && u >= children_.node[branch].weight) u -= children_.node[branch++].weight;
+            ended = branch >= children_.count;  // a leaf, or absorbed with the probability of absorption
+            for (int i = 0; i < children_.count; ++i)
+                if (i != branch) leaf(children_.node[i], LeafReason::node_budget);
+            if (!ended) node = children_.node[branch];
         }
         const TraceResult all = result_;
         result_ = head;
@@ -318,8 +337,7 @@ private:
     int next_id_ = 0;
     double camera_n_ = 1.0;
     NodeQueue queue_;
-    std::vector<Node> children_;
-    std::vector<Node> open_;
+    Branches children_;
     std::vector<Stokes<double>> light_;
 };
 
