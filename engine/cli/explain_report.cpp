@@ -20,33 +20,48 @@ using Json = nlohmann::ordered_json;
 
 const char* name_of(Interaction interaction) {
     switch (interaction) {
-        case Interaction::camera: return "camera";
-        case Interaction::reflected: return "reflected";
-        case Interaction::transmitted: return "transmitted";
-        case Interaction::sheet: return "through sheet";
+        case Interaction::camera:
+            return "camera";
+        case Interaction::reflected:
+            return "reflected";
+        case Interaction::transmitted:
+            return "transmitted";
+        case Interaction::sheet:
+            return "through sheet";
     }
     return "";
 }
 
 const char* name_of(LeafReason reason) {
     switch (reason) {
-        case LeafReason::emitter: return "emitter";
-        case LeafReason::background: return "background";
-        case LeafReason::absorbed: return "absorbed";
-        case LeafReason::residual: return "residual (--residual)";
-        case LeafReason::depth: return "residual (--depth)";
-        case LeafReason::node_budget: return "residual (--node-budget), left to the random tail";
-        case LeafReason::tail_limit: return "residual (tail too long)";
-        case LeafReason::failure: return "numerical failure";
+        case LeafReason::emitter:
+            return "emitter";
+        case LeafReason::background:
+            return "background";
+        case LeafReason::absorbed:
+            return "absorbed";
+        case LeafReason::residual:
+            return "residual (--residual)";
+        case LeafReason::depth:
+            return "residual (--depth)";
+        case LeafReason::node_budget:
+            return "residual (--node-budget), left to the random tail";
+        case LeafReason::tail_limit:
+            return "residual (tail too long)";
+        case LeafReason::failure:
+            return "numerical failure";
     }
     return "";
 }
 
 const char* mode_of(const Wave<double>& wave) {
     switch (wave.kind) {
-        case WaveKind::pair: return "s/p";
-        case WaveKind::ordinary: return "o";
-        case WaveKind::extraordinary: return "e";
+        case WaveKind::pair:
+            return "s/p";
+        case WaveKind::ordinary:
+            return "o";
+        case WaveKind::extraordinary:
+            return "e";
     }
     return "";
 }
@@ -68,19 +83,25 @@ std::optional<MeasureBounds<double>> bars_of(const Plan& plan, const Explanation
     return error_bars(image, 0, 0);
 }
 
-std::string text_of(const DVec3& v) { return fmt::format("({:.9f}, {:.9f}, {:.9f})", v.x, v.y, v.z); }
+std::string text_of(const DVec3& v) {
+    return fmt::format("({:.9f}, {:.9f}, {:.9f})", v.x, v.y, v.z);
+}
 
 std::string text_of(const CoherenceMatrix<double>& j, bool single) {
     if (single) return fmt::format("{:.6g}", j.xx);
-    return fmt::format("[[{:.6g}, {:.6g}{:+.6g}i], [{:.6g}{:+.6g}i, {:.6g}]]", j.xx, j.xy.re, j.xy.im, j.xy.re, -j.xy.im, j.yy);
+    return fmt::format("[[{:.6g}, {:.6g}{:+.6g}i], [{:.6g}{:+.6g}i, {:.6g}]]", j.xx, j.xy.re, j.xy.im, j.xy.re,
+                       -j.xy.im, j.yy);
 }
 
-std::string text_of(const Complex<double>& z) { return fmt::format("{:.6g}{:+.6g}i", z.re, z.im); }
+std::string text_of(const Complex<double>& z) {
+    return fmt::format("{:.6g}{:+.6g}i", z.re, z.im);
+}
 
 /// Rows are the camera's x and y, columns the field vectors of the branch.
 std::string text_of(const Throughput& t, bool single) {
     if (single) return fmt::format("[[{}], [{}]]", text_of(t.m[0][0]), text_of(t.m[1][0]));
-    return fmt::format("[[{}, {}], [{}, {}]]", text_of(t.m[0][0]), text_of(t.m[0][1]), text_of(t.m[1][0]), text_of(t.m[1][1]));
+    return fmt::format("[[{}, {}], [{}, {}]]", text_of(t.m[0][0]), text_of(t.m[0][1]), text_of(t.m[1][0]),
+                       text_of(t.m[1][1]));
 }
 
 void write_measures(std::string& out, const Plan& plan, const Explanation& e) {
@@ -91,15 +112,17 @@ void write_measures(std::string& out, const Plan& plan, const Explanation& e) {
     auto to = std::back_inserter(out);
     fmt::format_to(to, "coherence matrix   [ {:<24.15g} {:.15g} {:+.15g} i ]\n", j.xx, j.xy.re, j.xy.im);
     fmt::format_to(to, "                   [ {:<24} {:.15g} ]\n", "conjugate", j.yy);
-    fmt::format_to(to, "frame  x = {}  image right\n       y = {}  image up\n       k = {}  towards the camera\n", text_of(e.task.ray.x),
-                   text_of(e.task.ray.y), text_of(-e.task.ray.direction));
+    fmt::format_to(to, "frame  x = {}  image right\n       y = {}  image up\n       k = {}  towards the camera\n",
+                   text_of(e.task.ray.x), text_of(e.task.ray.y), text_of(-e.task.ray.direction));
     if (!bars) {
         fmt::format_to(to, "Stokes {:.15g} {:.15g} {:.15g} {:.15g}\n", s.s0, s.s1, s.s2, s.s3);
         return;
     }
-    const auto row = [&](const char* name, double value, const Interval<double>& bar, bool defined, double scale, const char* unit) {
+    const auto row = [&](const char* name, double value, const Interval<double>& bar, bool defined, double scale,
+                         const char* unit) {
         if (!defined) return static_cast<void>(fmt::format_to(to, "{:<20} undefined\n", name));
-        fmt::format_to(to, "{:<20} {:<22.15g}{} truth in [{:.6g}, {:.6g}]{}\n", name, scale * value, unit, scale * bar.low, scale * bar.high, unit);
+        fmt::format_to(to, "{:<20} {:<22.15g}{} truth in [{:.6g}, {:.6g}]{}\n", name, scale * value, unit,
+                       scale * bar.low, scale * bar.high, unit);
     };
     row("S0", s.s0, bars->s0, true, 1.0, "");
     row("S1", s.s1, bars->s1, true, 1.0, "");
@@ -109,11 +132,16 @@ void write_measures(std::string& out, const Plan& plan, const Explanation& e) {
     row("linear polarization", m.dolp, bars->dolp, m.has_light, 1.0, "");
     row("circular pol.", m.docp, bars->docp, m.has_light, 1.0, "");
     row("ellipticity b/a", m.ellipticity, bars->ellipticity, m.has_polarization, 1.0, "");
-    row("azimuth", m.azimuth, {m.azimuth - bars->azimuth, m.azimuth + bars->azimuth}, m.has_azimuth, degrees(1.0), " deg");
-    fmt::format_to(to, "{:<20} {}\n", "handedness", m.handedness > 0 ? "right (clockwise for the receiver)" : m.handedness < 0 ? "left" : "linear or undefined");
+    row("azimuth", m.azimuth, {m.azimuth - bars->azimuth, m.azimuth + bars->azimuth}, m.has_azimuth, degrees(1.0),
+        " deg");
+    fmt::format_to(to, "{:<20} {}\n", "handedness",
+                   m.handedness > 0   ? "right (clockwise for the receiver)"
+                   : m.handedness < 0 ? "left"
+                                      : "linear or undefined");
 }
 
-void write_branch(std::string& out, const Plan& plan, const Explanation& e, int index, int indent, double least_share, int& hidden) {
+void write_branch(std::string& out, const Plan& plan, const Explanation& e, int index, int indent, double least_share,
+                  int& hidden) {
     const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(index)];
     if (node.start.weight < least_share && index != 0) {
         ++hidden;
@@ -121,27 +149,41 @@ void write_branch(std::string& out, const Plan& plan, const Explanation& e, int 
     }
     auto to = std::back_inserter(out);
     const std::string pad(static_cast<std::size_t>(2 * indent), ' ');
-    fmt::format_to(to, "{}#{} {} in {}, {}, n = {:.6f}, weight {:.6g}{}\n", pad, index, name_of(node.interaction), medium_of(plan, node.start.region),
-                   mode_of(node.start.wave), std::sqrt(length2(node.start.wave.k)), node.start.weight, node.estimated ? "  (random tail)" : "");
+    fmt::format_to(to, "{}#{} {} in {}, {}, n = {:.6f}, weight {:.6g}{}\n", pad, index, name_of(node.interaction),
+                   medium_of(plan, node.start.region), mode_of(node.start.wave), std::sqrt(length2(node.start.wave.k)),
+                   node.start.weight, node.estimated ? "  (random tail)" : "");
     fmt::format_to(to, "{}   ray {}  k {}\n", pad, text_of(node.start.wave.ray), text_of(node.start.wave.k));
-    fmt::format_to(to, "{}   to the camera {}\n", pad, text_of(node.start.throughput, node.start.wave.kind != WaveKind::pair));
+    fmt::format_to(to, "{}   to the camera {}\n", pad,
+                   text_of(node.start.throughput, node.start.wave.kind != WaveKind::pair));
     if (!node.arriving.empty())
-        fmt::format_to(to, "{}   light here {}", pad, text_of(node.arriving[static_cast<std::size_t>(e.place)], node.start.wave.kind != WaveKind::pair));
+        fmt::format_to(
+            to, "{}   light here {}", pad,
+            text_of(node.arriving[static_cast<std::size_t>(e.place)], node.start.wave.kind != WaveKind::pair));
     const double brings = node.share[static_cast<std::size_t>(e.place)].s0;
     fmt::format_to(to, "{}brings S0 {:.6g}{}\n", node.arriving.empty() ? pad + "   " : ", ", brings,
                    e.sample_light.s0 > 0.0 ? fmt::format(" ({:.3g} %)", 100.0 * brings / e.sample_light.s0) : "");
     if (node.arrived)
-        fmt::format_to(to, "{}   meets {} facet {} at {}, {:.6f} deg\n", pad, plan.body_name(node.crossing.body), node.crossing.facet,
-                       text_of(node.end.origin), degrees(node.angle));
+        fmt::format_to(to, "{}   meets {} facet {} at {}, {:.6f} deg\n", pad, plan.body_name(node.crossing.body),
+                       node.crossing.facet, text_of(node.end.origin), degrees(node.angle));
     if (node.reason) fmt::format_to(to, "{}   ends: {}\n", pad, name_of(*node.reason));
     for (const int child : node.children) write_branch(out, plan, e, child, indent + 1, least_share, hidden);
 }
 
-Json json_of(const DVec3& v) { return Json::array({v.x, v.y, v.z}); }
-Json json_of(const Complex<double>& z) { return Json::array({z.re, z.im}); }
-Json json_of(const Stokes<double>& s) { return Json::array({s.s0, s.s1, s.s2, s.s3}); }
-Json json_of(const Interval<double>& i) { return Json::array({i.low, i.high}); }
-Json json_of(const CoherenceMatrix<double>& j) { return {{"xx", j.xx}, {"yy", j.yy}, {"xy", json_of(j.xy)}}; }
+Json json_of(const DVec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+Json json_of(const Complex<double>& z) {
+    return Json::array({z.re, z.im});
+}
+Json json_of(const Stokes<double>& s) {
+    return Json::array({s.s0, s.s1, s.s2, s.s3});
+}
+Json json_of(const Interval<double>& i) {
+    return Json::array({i.low, i.high});
+}
+Json json_of(const CoherenceMatrix<double>& j) {
+    return {{"xx", j.xx}, {"yy", j.yy}, {"xy", json_of(j.xy)}};
+}
 
 Json json_of(const Plan& plan, const Explanation& e, int index) {
     const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(index)];
@@ -192,14 +234,18 @@ std::string explanation_as_text(const Plan& plan, const Explanation& e, double l
     fmt::format_to(to, "pixel {},{}  sample {} of {}  {} nm\n\n", e.x, e.y, e.sample, plan.settings.samples_per_pixel,
                    plan.wavelengths_nm[static_cast<std::size_t>(e.wavelength)]);
     write_measures(out, plan, e);
-    fmt::format_to(to, "\nresolved {:.6g} + absorbed {:.6g} + untraced {:.6g} + random tail {:.6g} = 1 {:+.1e}\n", e.result.resolved,
-                   e.result.absorbed, e.result.residual, e.result.tail,
+    fmt::format_to(to, "\nresolved {:.6g} + absorbed {:.6g} + untraced {:.6g} + random tail {:.6g} = 1 {:+.1e}\n",
+                   e.result.resolved, e.result.absorbed, e.result.residual, e.result.tail,
                    e.result.resolved + e.result.absorbed + e.result.residual + e.result.tail - 1.0);
-    fmt::format_to(to, "{} leaves; their sum {} the rendered sample{}\n\n", e.tree.leaves.size(), e.exact() ? "is" : "IS NOT",
-                   e.exact() ? " to the last bit" : fmt::format(": S0 differs by {:.3e}", e.leaf_sum.s0 - e.sample_light.s0));
+    fmt::format_to(
+        to, "{} leaves; their sum {} the rendered sample{}\n\n", e.tree.leaves.size(), e.exact() ? "is" : "IS NOT",
+        e.exact() ? " to the last bit" : fmt::format(": S0 differs by {:.3e}", e.leaf_sum.s0 - e.sample_light.s0));
     int hidden = 0;
     write_branch(out, plan, e, 0, 0, least_share, hidden);
-    if (hidden > 0) fmt::format_to(to, "\n{} branches of weight below {:g} (and what grew from them) are not shown: --least 0 shows all\n", hidden, least_share);
+    if (hidden > 0)
+        fmt::format_to(
+            to, "\n{} branches of weight below {:g} (and what grew from them) are not shown: --least 0 shows all\n",
+            hidden, least_share);
     return out;
 }
 
@@ -212,14 +258,24 @@ std::string explanation_as_json(const Plan& plan, const Explanation& e) {
     out["frame"] = {{"x", json_of(e.task.ray.x)}, {"y", json_of(e.task.ray.y)}, {"k", json_of(-e.task.ray.direction)}};
     out["coherence"] = json_of(to_coherence(e.sample_light));
     out["stokes"] = json_of(e.sample_light);
-    const Measures<double> m = measure(e.sample_light, noise_threshold(static_cast<double>(e.tree.leaves.size()) + 1.0));
-    out["measures"] = {{"dop", m.dop}, {"dolp", m.dolp}, {"docp", m.docp}, {"ellipticity", m.ellipticity},
-                       {"ellipticity_angle_rad", m.ellipticity_angle}, {"azimuth_rad", m.azimuth}, {"handedness", m.handedness},
-                       {"has_light", m.has_light}, {"has_polarization", m.has_polarization}, {"has_azimuth", m.has_azimuth}};
+    const Measures<double> m =
+        measure(e.sample_light, noise_threshold(static_cast<double>(e.tree.leaves.size()) + 1.0));
+    out["measures"] = {{"dop", m.dop},
+                       {"dolp", m.dolp},
+                       {"docp", m.docp},
+                       {"ellipticity", m.ellipticity},
+                       {"ellipticity_angle_rad", m.ellipticity_angle},
+                       {"azimuth_rad", m.azimuth},
+                       {"handedness", m.handedness},
+                       {"has_light", m.has_light},
+                       {"has_polarization", m.has_polarization},
+                       {"has_azimuth", m.has_azimuth}};
     if (const auto bars = bars_of(plan, e))
-        out["bounds"] = {{"s0", json_of(bars->s0)}, {"s1", json_of(bars->s1)}, {"s2", json_of(bars->s2)}, {"s3", json_of(bars->s3)},
-                         {"dop", json_of(bars->dop)}, {"dolp", json_of(bars->dolp)}, {"docp", json_of(bars->docp)},
-                         {"ellipticity", json_of(bars->ellipticity)}, {"azimuth_rad", bars->azimuth}};
+        out["bounds"] = {{"s0", json_of(bars->s0)},     {"s1", json_of(bars->s1)},
+                         {"s2", json_of(bars->s2)},     {"s3", json_of(bars->s3)},
+                         {"dop", json_of(bars->dop)},   {"dolp", json_of(bars->dolp)},
+                         {"docp", json_of(bars->docp)}, {"ellipticity", json_of(bars->ellipticity)},
+                         {"azimuth_rad", bars->azimuth}};
     out["resolved"] = e.result.resolved;
     out["absorbed"] = e.result.absorbed;
     out["residual"] = e.result.residual;

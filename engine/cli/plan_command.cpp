@@ -20,13 +20,14 @@ struct PlanRequest {
 
 void print_text(const Plan& plan) {
     fmt::print("kernel: {}\n", plan.features.kernel);
-    fmt::print("wavelengths: {}, traced as {} {}\n", plan.wavelengths_nm.size(), plan.groups.size(), plan.groups.size() == 1 ? "tree" : "trees");
-    fmt::print("solids: {}, surfaces: {}, regions: {}\n\n", plan.solids.size(), plan.surfaces.size(), plan.regions.size());
+    fmt::print("wavelengths: {}, traced as {} {}\n", plan.wavelengths_nm.size(), plan.groups.size(),
+               plan.groups.size() == 1 ? "tree" : "trees");
+    fmt::print("solids: {}, surfaces: {}, regions: {}\n\n", plan.solids.size(), plan.surfaces.size(),
+               plan.regions.size());
     for (const bool needed : {true, false}) {
         fmt::print("{}\n", needed ? "needed" : "left out");
         for (const Feature& feature : plan.features.list)
-            if (feature.needed == needed)
-                fmt::print("  {:<28}{}\n", feature.name, feature.reason);
+            if (feature.needed == needed) fmt::print("  {:<28}{}\n", feature.name, feature.reason);
     }
 }
 
@@ -38,7 +39,8 @@ void print_json(const Plan& plan) {
     for (const Feature& feature : plan.features.list)
         out["features"].push_back({{"name", feature.name}, {"needed", feature.needed}, {"reason", feature.reason}});
     for (const Region& region : plan.regions) {
-        nlohmann::ordered_json entry{{"medium", plan.medium_names[static_cast<std::size_t>(region.medium)]}, {"inside", nlohmann::ordered_json::array()}};
+        nlohmann::ordered_json entry{{"medium", plan.medium_names[static_cast<std::size_t>(region.medium)]},
+                                     {"inside", nlohmann::ordered_json::array()}};
         for (const int member : region.members) entry["inside"].push_back(plan.solid(member).name);
         out["regions"].push_back(entry);
     }
@@ -56,7 +58,8 @@ int run(const PlanRequest& request) {
 
 void add_plan_command(CLI::App& app, int& exit_code) {
     auto request = std::make_shared<PlanRequest>();
-    CLI::App* command = app.add_subcommand("plan", "Show what a scene needs of the tracer and what is left out, and why");
+    CLI::App* command =
+        app.add_subcommand("plan", "Show what a scene needs of the tracer and what is left out, and why");
     add_scene_options(*command, request->scene);
     command->add_flag("--json", request->json, "Print JSON");
     command->footer("Example:\n  polariscope plan assets/scenes/cube-calcite.yaml --wavelengths 380:780:20");

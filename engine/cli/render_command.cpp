@@ -14,7 +14,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 
 #include "cli/scene_options.h"
 #include "io/exr_file.h"
@@ -39,14 +38,20 @@ struct RenderRequest {
 
 volatile std::sig_atomic_t caught_signal = 0;
 
-void remember_signal(int signal) { caught_signal = signal; }
+void remember_signal(int signal) {
+    caught_signal = signal;
+}
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 double cpu_seconds() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -108,8 +113,9 @@ Stop run_to_stop(Renderer& renderer, const RenderRequest& request, Clock::time_p
 }
 
 std::string settings_text(const RenderSettings& s) {
-    return fmt::format("mode={} spp={} residual={} depth={} node_budget={} seed={}", s.mode == SampleMode::area ? "area" : "point",
-                       s.samples_per_pixel, s.residual, s.depth ? std::to_string(*s.depth) : "none", s.node_budget, s.seed);
+    return fmt::format("mode={} spp={} residual={} depth={} node_budget={} seed={}",
+                       s.mode == SampleMode::area ? "area" : "point", s.samples_per_pixel, s.residual,
+                       s.depth ? std::to_string(*s.depth) : "none", s.node_budget, s.seed);
 }
 
 struct Timing {
@@ -119,8 +125,9 @@ struct Timing {
     double output_s = 0.0;
 };
 
-Result<Done> write_statistics(const RenderRequest& request, const LoadedPlan& loaded, const Renderer& renderer, const StokesImage& image,
-                              const Timing& timing, int threads, const std::string& stop_reason) {
+Result<Done> write_statistics(const RenderRequest& request, const LoadedPlan& loaded, const Renderer& renderer,
+                              const StokesImage& image, const Timing& timing, int threads,
+                              const std::string& stop_reason) {
     const Plan& plan = *loaded.plan;
     const RenderStatistics& s = renderer.progress().statistics;
     const auto mean = [](const std::vector<double>& v) {
@@ -143,7 +150,8 @@ Result<Done> write_statistics(const RenderRequest& request, const LoadedPlan& lo
     out["trees_per_sample"] = plan.groups.size();
     out["spp"] = plan.settings.samples_per_pixel;
     out["residual_target"] = plan.settings.residual;
-    out["depth_limit"] = plan.settings.depth ? nlohmann::ordered_json(*plan.settings.depth) : nlohmann::ordered_json(nullptr);
+    out["depth_limit"] =
+        plan.settings.depth ? nlohmann::ordered_json(*plan.settings.depth) : nlohmann::ordered_json(nullptr);
     out["seed"] = plan.settings.seed;
     out["t_load_s"] = timing.load_s;
     out["t_render_wall_s"] = timing.render_wall_s;
@@ -151,10 +159,12 @@ Result<Done> write_statistics(const RenderRequest& request, const LoadedPlan& lo
     out["t_output_s"] = timing.output_s;
     out["camera_samples"] = s.samples;
     out["rays"] = s.nodes;
-    out["nodes_mean"] = s.samples > 0 ? static_cast<double>(s.nodes) / static_cast<double>(s.samples * plan.groups.size()) : 0.0;
+    out["nodes_mean"] =
+        s.samples > 0 ? static_cast<double>(s.nodes) / static_cast<double>(s.samples * plan.groups.size()) : 0.0;
     out["nodes_max"] = s.most_nodes;
     out["residual_mean"] = mean(image.residual);
-    out["residual_max"] = image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
+    out["residual_max"] =
+        image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
     out["tail_mean"] = mean(image.tail);
     out["brightest"] = image.brightest;
     out["energy_defect_max"] = s.worst_energy_defect;
@@ -172,9 +182,14 @@ int run(const RenderRequest& request) {
     constexpr int self_check_failed = 5;
     constexpr int stopped_by_time = 10;
     if (request.threads && (*request.threads < 1 || *request.threads > 1024))
-        return report({ErrorKind::usage, fmt::format("{} threads cannot work", *request.threads), {}, "--threads", "1 to 1024"});
+        return report(
+            {ErrorKind::usage, fmt::format("{} threads cannot work", *request.threads), {}, "--threads", "1 to 1024"});
     if (request.seconds && !(*request.seconds > 0.0 && *request.seconds < 1e9))
-        return report({ErrorKind::usage, fmt::format("{} s is no time limit", *request.seconds), {}, "--time", "a positive number of seconds"});
+        return report({ErrorKind::usage,
+                       fmt::format("{} s is no time limit", *request.seconds),
+                       {},
+                       "--time",
+                       "a positive number of seconds"});
     const auto load_start = Clock::now();
     SceneOptions scene_options = request.scene;
     // With a time limit alone, samples go on until it ends.
@@ -191,7 +206,7 @@ int run(const RenderRequest& request) {
 
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
-    const int threads = request.threads.value_or(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    const int threads = request.threads.value_or(hardware_threads());
     Renderer renderer(threads);
     const auto start = Clock::now();
     const double cpu_start = cpu_seconds();
@@ -215,9 +230,11 @@ int run(const RenderRequest& request) {
     }
     const RenderStatistics statistics = renderer.progress().statistics;
     if (!request.quiet) {
-        const double largest = image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
-        fmt::print("{}: {}x{}, {} wavelength{}, {:.2f} s, {:.3g} M rays, untraced at most {:.2g} of a pixel\n", request.output, image.width,
-                   image.height, image.wavelengths_nm.size(), image.wavelengths_nm.size() == 1 ? "" : "s", timing.render_wall_s,
+        const double largest =
+            image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
+        fmt::print("{}: {}x{}, {} wavelength{}, {:.2f} s, {:.3g} M rays, untraced at most {:.2g} of a pixel\n",
+                   request.output, image.width, image.height, image.wavelengths_nm.size(),
+                   image.wavelengths_nm.size() == 1 ? "" : "s", timing.render_wall_s,
                    1e-6 * static_cast<double>(statistics.nodes), largest);
     }
     if (statistics.failures > 0) {
@@ -236,10 +253,12 @@ int run(const RenderRequest& request) {
 
 void add_render_command(CLI::App& app, int& exit_code) {
     auto request = std::make_shared<RenderRequest>();
-    CLI::App* command = app.add_subcommand("render", "Trace a scene and write the Stokes vectors of every pixel to an OpenEXR file");
+    CLI::App* command =
+        app.add_subcommand("render", "Trace a scene and write the Stokes vectors of every pixel to an OpenEXR file");
     add_scene_options(*command, request->scene);
     command->add_option("-o,--output", request->output, "OpenEXR file to write")->required();
-    command->add_option("--threads", request->threads, "Worker threads; the picture does not depend on it (default: all cores)");
+    command->add_option("--threads", request->threads,
+                        "Worker threads; the picture does not depend on it (default: all cores)");
     command->add_option("--time", request->seconds, "Stop after this many seconds and write what is there");
     command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file");
     command->add_flag("--quiet", request->quiet, "Print errors only");
@@ -248,7 +267,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
         "\nExamples:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr --wavelengths 380:780:20\n"
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"
-        "  polariscope render assets/scenes/bench/g1.yaml -o g1.exr --mode area --spp 64 --residual 3e-3 --stats g1.json");
+        "  polariscope render assets/scenes/bench/g1.yaml -o g1.exr --mode area --spp 64 --residual 3e-3 --stats "
+        "g1.json");
     command->callback([request, &exit_code] { exit_code = run(*request); });
 }
 

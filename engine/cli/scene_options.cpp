@@ -20,11 +20,16 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
     command.add_option("SCENE", options.scene, "Scene file (YAML, see assets/scenes/README.md)")->required();
     command.add_option("--size", options.size, "Picture size in pixels, for example 800x600");
     command.add_option("--spp", options.samples, "Samples per pixel");
-    command.add_option("--mode", options.mode, "point: one ray through the pixel centre; area: quasi-random over the pixel");
-    command.add_option("--residual", options.residual, "Largest share of a pixel that may stay untraced, for example 1e-3");
-    command.add_option("--depth", options.depth, "Cut the tree after this many interfaces (the paper: 9) instead of by energy");
-    command.add_option("--node-budget", options.node_budget, "Branches to follow before one random path stands for the rest");
-    command.add_option("--wavelengths", options.wavelengths, "Vacuum wavelengths in nm: 580, 450,550,650 or 380:780:20");
+    command.add_option("--mode", options.mode,
+                       "point: one ray through the pixel centre; area: quasi-random over the pixel");
+    command.add_option("--residual", options.residual,
+                       "Largest share of a pixel that may stay untraced, for example 1e-3");
+    command.add_option("--depth", options.depth,
+                       "Cut the tree after this many interfaces (the paper: 9) instead of by energy");
+    command.add_option("--node-budget", options.node_budget,
+                       "Branches to follow before one random path stands for the rest");
+    command.add_option("--wavelengths", options.wavelengths,
+                       "Vacuum wavelengths in nm: 580, 450,550,650 or 380:780:20");
     command.add_option("--seed", options.seed, "Seed of the random numbers");
 }
 
@@ -41,8 +46,10 @@ Result<Done> set_size(std::string_view text, RenderSettings& settings) {
         const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
         return status == std::errc() && end == part.data() + part.size() && value > 0 && value <= largest_side;
     };
-    if (by == std::string_view::npos || !parse(text.substr(0, by), settings.width) || !parse(text.substr(by + 1), settings.height))
-        return usage("--size", fmt::format("'{}' is no picture size", text), "two numbers from 1 to 65536, for example 800x600");
+    if (by == std::string_view::npos || !parse(text.substr(0, by), settings.width) ||
+        !parse(text.substr(by + 1), settings.height))
+        return usage("--size", fmt::format("'{}' is no picture size", text),
+                     "two numbers from 1 to 65536, for example 800x600");
     return Done{};
 }
 
@@ -63,9 +70,11 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
         if (auto done = set_size(*options.size, settings); !done) return done.error();
     }
     if (std::int64_t{settings.width} * settings.height > most_pixels)
-        return usage("--size", fmt::format("{}x{} is more than 2^31 pixels", settings.width, settings.height), "choose a smaller picture");
+        return usage("--size", fmt::format("{}x{} is more than 2^31 pixels", settings.width, settings.height),
+                     "choose a smaller picture");
     if (options.samples) {
-        if (*options.samples < 1) return usage("--spp", fmt::format("{} samples make no picture", *options.samples), "at least 1");
+        if (*options.samples < 1)
+            return usage("--spp", fmt::format("{} samples make no picture", *options.samples), "at least 1");
         settings.samples_per_pixel = *options.samples;
     }
     if (options.mode) {
@@ -81,11 +90,13 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
     }
     if (options.residual) {
         if (!(*options.residual >= 0.0) || *options.residual > 1.0)
-            return usage("--residual", fmt::format("{} is no share of a pixel", *options.residual), "0 to 1, for example 1e-3");
+            return usage("--residual", fmt::format("{} is no share of a pixel", *options.residual),
+                         "0 to 1, for example 1e-3");
         settings.residual = *options.residual;
     }
     if (options.node_budget) {
-        if (*options.node_budget < 1) return usage("--node-budget", fmt::format("{} branches make no tree", *options.node_budget), "at least 1");
+        if (*options.node_budget < 1)
+            return usage("--node-budget", fmt::format("{} branches make no tree", *options.node_budget), "at least 1");
         settings.node_budget = *options.node_budget;
     }
     if (options.wavelengths) {

@@ -32,8 +32,8 @@ struct SceneOptions {
 /// Adds the scene argument and the options above.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
-/// The scene with the options in place of its own settings. With a depth limit and no residual, the depth alone cuts the
-/// tree, as in the paper.
+/// The scene with the options in place of its own settings. With a depth limit and no residual, the depth alone cuts
+/// the tree, as in the paper.
 Result<Scene> load_scene_with(const SceneOptions& options);
 
 /// Loads and compiles.

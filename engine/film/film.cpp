@@ -41,9 +41,12 @@ bool Film::merge(const TileBuffer& tile) {
     std::size_t source = 0;
     for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
         for (int x = tile.rect.x0; x < tile.rect.x1; ++x, ++source) {
-            const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(layout_.width) + static_cast<std::size_t>(x);
-            for (std::size_t w = 0; w < wavelengths; ++w) stokes_[pixel * wavelengths + w] += tile.stokes[source * wavelengths + w];
-            for (std::size_t g = 0; g < groups; ++g) residual_[pixel * groups + g] += tile.residual[source * groups + g];
+            const auto pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(layout_.width) + static_cast<std::size_t>(x);
+            for (std::size_t w = 0; w < wavelengths; ++w)
+                stokes_[pixel * wavelengths + w] += tile.stokes[source * wavelengths + w];
+            for (std::size_t g = 0; g < groups; ++g)
+                residual_[pixel * groups + g] += tile.residual[source * groups + g];
             if (has_tail)
                 for (std::size_t g = 0; g < groups; ++g) tail_[pixel * groups + g] += tile.tail[source * groups + g];
             if (has_failures) failures_[pixel] += tile.failures[source];

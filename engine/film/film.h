@@ -34,7 +34,8 @@ struct TileRect {
     }
 };
 
-/// One finished pass over a tile, owned by one worker. Index: pixel in the tile (row by row) * count + wavelength or group.
+/// One finished pass over a tile, owned by one worker. Index: pixel in the tile (row by row) * count + wavelength or
+/// group.
 struct TileBuffer {
     Generation generation = 0;
     TileRect rect{};

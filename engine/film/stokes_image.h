@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finished (or half-finished) picture: mean Stokes vectors and what is known about their error. The common currency of
-// the renderer, the files and the maps.
+// A finished (or half-finished) picture: mean Stokes vectors and what is known about their error. The common currency
+// of the renderer, the files and the maps.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace pol {
 /// Mean over the samples of each pixel, in the camera frame: x = image right, y = image up, both made transverse to the
 /// pixel's ray, k towards the camera. Row 0 is the top row.
 ///
-/// Planes are indexed by wavelength: stokes[w * pixel_count() + y * width + x]. A plane set that the picture does not have
-/// (a foreign file, a scene without it) is empty. `residual` and `tail` have one plane per wavelength, or a single
+/// Planes are indexed by wavelength: stokes[w * pixel_count() + y * width + x]. A plane set that the picture does not
+/// have (a foreign file, a scene without it) is empty. `residual` and `tail` have one plane per wavelength, or a single
 /// plane if all wavelengths share one tree (plane_of).
 struct StokesImage {
     int width = 0;
@@ -47,7 +47,8 @@ struct StokesImage {
         return stokes[wavelength * pixel_count() + pixel_index];
     }
     /// Value of a per-wavelength plane set that may be shared between wavelengths or absent (0).
-    [[nodiscard]] double plane_value(const std::vector<double>& planes, std::size_t wavelength, std::size_t pixel_index) const {
+    [[nodiscard]] double plane_value(const std::vector<double>& planes, std::size_t wavelength,
+                                     std::size_t pixel_index) const {
         if (planes.empty()) return 0.0;
         return planes.size() == pixel_count() ? planes[pixel_index] : planes[wavelength * pixel_count() + pixel_index];
     }

@@ -5,8 +5,8 @@
 #include <string>
 #include <variant>
 
-#include "core/vec.h"
 #include "core/source_place.h"
+#include "core/vec.h"
 #include "spectrum/refractive_index.h"
 #include "spectrum/spectrum.h"
 

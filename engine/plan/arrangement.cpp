@@ -78,7 +78,8 @@ std::vector<FacetPair> flush_facets(const Solid& a, const Solid& b, double margi
 
 Result<Relations> relate(const Scene& scene, Plan& plan) {
     const int count = plan.solid_count();
-    Relations relations(static_cast<std::size_t>(count), std::vector<Arrangement>(static_cast<std::size_t>(count), Arrangement::disjoint));
+    Relations relations(static_cast<std::size_t>(count),
+                        std::vector<Arrangement>(static_cast<std::size_t>(count), Arrangement::disjoint));
     for (int a = 0; a < count; ++a) {
         for (int b = a + 1; b < count; ++b) {
             const SolidRef ref_a = ref(plan.solid(a));
@@ -89,7 +90,8 @@ Result<Relations> relate(const Scene& scene, Plan& plan) {
                                    : ab == Arrangement::b_contains_a ? Arrangement::a_contains_b
                                                                      : ab;
             relations[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)] = ba;
-            if (ab == Arrangement::overlapping && plan.solid(a).priority.value_or(0) == plan.solid(b).priority.value_or(0))
+            if (ab == Arrangement::overlapping &&
+                plan.solid(a).priority.value_or(0) == plan.solid(b).priority.value_or(0))
                 return overlap_error(scene, plan.solid(a), plan.solid(b));
             if (ab == Arrangement::disjoint) continue;
             const bool flush = share_volume(ab);
@@ -118,9 +120,15 @@ Hull hull_of(const Surface& surface) {
                               const DVec3& v = s.half_v();
                               return Hull{{c + u + v, c + u - v, c - u + v, c - u - v}, 0.0};
                           },
-                          [](const HalfSpaceSolid& s) { return Hull{s.vertices(), 0.0}; },
-                          [](const Sphere& s) { return Hull{{s.center}, s.radius}; },
-                          [](const MeshBody& s) { return Hull{s.mesh.vertices, 0.0}; },
+                          [](const HalfSpaceSolid& s) {
+                              return Hull{s.vertices(), 0.0};
+                          },
+                          [](const Sphere& s) {
+                              return Hull{{s.center}, s.radius};
+                          },
+                          [](const MeshBody& s) {
+                              return Hull{s.mesh.vertices, 0.0};
+                          },
                       },
                       surface.shape);
 }
@@ -137,24 +145,26 @@ bool beside(const Plane& plane, const Solid& solid, double margin) {
         }
         return low >= -margin || high <= margin;
     };
-    return std::visit(Overloaded{
-                          [&](const HalfSpaceSolid& s) { return one_side(s.vertices()); },
-                          [&](const Sphere& s) { return std::abs(dot(plane.normal, s.center) - plane.offset) >= s.radius - margin; },
-                          [&](const MeshBody& s) { return one_side(s.mesh.vertices); },
-                      },
-                      solid.shape);
+    return std::visit(
+        Overloaded{
+            [&](const HalfSpaceSolid& s) { return one_side(s.vertices()); },
+            [&](const Sphere& s) { return std::abs(dot(plane.normal, s.center) - plane.offset) >= s.radius - margin; },
+            [&](const MeshBody& s) { return one_side(s.mesh.vertices); },
+        },
+        solid.shape);
 }
 
 /// True if the surface surely has no point inside the solid. Lying on its boundary is outside.
 bool surely_outside(const Surface& surface, const Hull& hull, const Solid& solid, double margin) {
-    if (const auto* open = std::get_if<OpenSurface>(&surface.shape); open != nullptr && beside(open->plane(), solid, margin)) return true;
+    if (const auto* open = std::get_if<OpenSurface>(&surface.shape);
+        open != nullptr && beside(open->plane(), solid, margin))
+        return true;
     const auto* half_spaces = std::get_if<HalfSpaceSolid>(&solid.shape);
     if (half_spaces == nullptr) return false;
     for (int i = 0; i < half_spaces->facet_count(); ++i) {
         const Plane& plane = half_spaces->plane(i);
-        if (std::all_of(hull.points.begin(), hull.points.end(), [&](const DVec3& p) {
-                return dot(plane.normal, p) - plane.offset >= hull.radius - margin;
-            }))
+        if (std::all_of(hull.points.begin(), hull.points.end(),
+                        [&](const DVec3& p) { return dot(plane.normal, p) - plane.offset >= hull.radius - margin; }))
             return true;
     }
     return false;
@@ -174,7 +184,9 @@ bool surely_inside(const Hull& hull, const Solid& solid, double margin) {
                       solid.shape);
 }
 
-bool has(const std::vector<int>& sorted, int value) { return std::binary_search(sorted.begin(), sorted.end(), value); }
+bool has(const std::vector<int>& sorted, int value) {
+    return std::binary_search(sorted.begin(), sorted.end(), value);
+}
 
 class RegionBuilder {
 public:
@@ -195,7 +207,11 @@ public:
             }
             plan_.regions[i].toggled = std::move(toggled);
             if (plan_.regions.size() > 4096)
-                return Error{ErrorKind::input, "more than 4096 ways in which solids overlap", {}, "objects", "use fewer overlapping solids"};
+                return Error{ErrorKind::input,
+                             "more than 4096 ways in which solids overlap",
+                             {},
+                             "objects",
+                             "use fewer overlapping solids"};
         }
         for (Region& region : plan_.regions) {
             if (auto done = list_candidates(region); !done) return done.error();
@@ -257,9 +273,14 @@ private:
         }
         if (meshes.empty()) return Done{};
         for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
-            if (has(region.members, region.caster_body[mesh])) region.caster_inside.push_back({static_cast<int>(mesh), -1, -1});
+            if (has(region.members, region.caster_body[mesh]))
+                region.caster_inside.push_back({static_cast<int>(mesh), -1, -1});
         if (region.caster_inside.size() > max_nested_meshes)
-            return Error{ErrorKind::input, "meshes are nested more than 8 deep", {}, "objects", "flat convex solids and spheres may be"};
+            return Error{ErrorKind::input,
+                         "meshes are nested more than 8 deep",
+                         {},
+                         "objects",
+                         "flat convex solids and spheres may be"};
         auto caster = RayCaster::build(std::move(meshes));
         if (!caster) return caster.error();
         region.caster = std::make_unique<const RayCaster>(std::move(caster).value());
@@ -280,11 +301,16 @@ Result<Done> refuse_glued_sheets(const Scene& scene, const Plan& plan) {
         for (const Solid& solid : plan.solids) {
             for (const Plane& facet : facets(solid)) {
                 const double side = dot(facet.normal, open->plane().normal);
-                if (std::abs(std::abs(side) - 1.0) > 1e-12 || std::abs(dot(facet.normal, open->center()) - facet.offset) > margin) continue;
+                if (std::abs(std::abs(side) - 1.0) > 1e-12 ||
+                    std::abs(dot(facet.normal, open->center()) - facet.offset) > margin)
+                    continue;
                 const auto* half_spaces = std::get_if<HalfSpaceSolid>(&solid.shape);
                 if (half_spaces != nullptr && !half_spaces->contains(open->center(), -margin)) continue;
-                return at_place({ErrorKind::input, "sheet '" + surface.name + "' lies in a face of '" + solid.name + "'", {},
-                                 "objects[" + std::to_string(surface.object) + "].transform", "leave a small gap between them"},
+                return at_place({ErrorKind::input,
+                                 "sheet '" + surface.name + "' lies in a face of '" + solid.name + "'",
+                                 {},
+                                 "objects[" + std::to_string(surface.object) + "].transform",
+                                 "leave a small gap between them"},
                                 scene, scene.objects[static_cast<std::size_t>(surface.object)].place);
             }
         }

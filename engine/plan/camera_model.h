@@ -9,8 +9,8 @@
 
 namespace pol {
 
-/// A backward ray and its polarization frame: x = unit(direction x image up), with image up perpendicular to the camera's
-/// axis (not the user's `up`, about which frames would spin in a picture taken from above), and y such that
+/// A backward ray and its polarization frame: x = unit(direction x image up), with image up perpendicular to the
+/// camera's axis (not the user's `up`, about which frames would spin in a picture taken from above), and y such that
 /// (x, y, -direction) is right-handed: image right and image up, seen by the receiver; the light travels along
 /// -direction. Mitsuba 3's Stokes integrator has the same frame.
 struct CameraRay {
@@ -38,7 +38,8 @@ public:
         center_y_ = 0.5 * static_cast<double>(height);
     }
 
-    /// Ray through picture coordinates (x, y) in pixels from the top left corner; (0.5, 0.5) is the centre of the first pixel.
+    /// Ray through picture coordinates (x, y) in pixels from the top left corner; (0.5, 0.5) is the centre of the first
+    /// pixel.
     [[nodiscard]] CameraRay ray(double x, double y) const {
         const DVec3 offset = right_ * ((x - center_x_) * pixel_) + above_ * ((center_y_ - y) * pixel_);
         CameraRay ray;

@@ -46,12 +46,14 @@ Result<SolidShape> solid_shape(const Object& object) {
     return from_mesh(mesh.value(), object.to_world);
 }
 
-Result<Done> add_solid(const Scene& scene, const Object& object, int index, const FilledWith& filling, MediaTable& media, Plan& plan) {
+Result<Done> add_solid(const Scene& scene, const Object& object, int index, const FilledWith& filling,
+                       MediaTable& media, Plan& plan) {
     auto shape = solid_shape(object);
     if (!shape) return at_place(shape.error(), scene, object.place);
     if (const auto* mesh = std::get_if<MeshBody>(&shape.value()); mesh != nullptr && !mesh->closed) {
         Error error = check_closed(mesh->mesh).error();
-        error.what = "'" + object.name + "' is filled with '" + filling.medium + "' but its mesh is not closed: " + error.what;
+        error.what =
+            "'" + object.name + "' is filled with '" + filling.medium + "' but its mesh is not closed: " + error.what;
         error.place = {};
         return at_place(error, scene, object.place);
     }
@@ -69,21 +71,25 @@ Result<Done> add_surface(const Scene& scene, const Object& object, int index, Pl
         surface.shape = made.value();
         return Done{};
     };
-    const Result<Done> shaped = std::visit(Overloaded{
-                                               [&](const RectangleShape& s) { return open(s); },
-                                               [&](const DiskShape& s) { return open(s); },
-                                               [&](const auto&) -> Result<Done> {
-                                                   auto shape = solid_shape(object);
-                                                   if (!shape) return shape.error();
-                                                   std::visit([&](auto& s) { surface.shape = std::move(s); }, shape.value());
-                                                   return Done{};
-                                               },
-                                           },
-                                           object.shape);
+    const Result<Done> shaped =
+        std::visit(Overloaded{
+                       [&](const RectangleShape& s) { return open(s); },
+                       [&](const DiskShape& s) { return open(s); },
+                       [&](const auto&) -> Result<Done> {
+                           auto shape = solid_shape(object);
+                           if (!shape) return shape.error();
+                           std::visit([&](auto& s) { surface.shape = std::move(s); }, shape.value());
+                           return Done{};
+                       },
+                   },
+                   object.shape);
     if (!shaped) return at_place(shaped.error(), scene, object.place);
     if (const auto* sheet = std::get_if<Sheet>(&object.role)) {
         if (std::holds_alternative<HalfSpaceSolid>(surface.shape) || std::holds_alternative<Sphere>(surface.shape))
-            return at_place({ErrorKind::input, "sheet '" + object.name + "' has a closed shape", {}, "shape",
+            return at_place({ErrorKind::input,
+                             "sheet '" + object.name + "' has a closed shape",
+                             {},
+                             "shape",
                              "use a rectangle, a disk or an open mesh"},
                             scene, object.place);
         surface.role = SheetRole{sheet_in_world(*sheet, object.to_world)};
@@ -119,12 +125,16 @@ Result<Done> group_wavelengths(const Scene& scene, const MediaTable& media, Plan
 
 double extent(const Plan& plan) {
     double largest = 0.0;
-    const auto reach = [&](const DVec3& p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
+    const auto reach = [&](const DVec3& p) {
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    };
     const Overloaded measure{
         [&](const HalfSpaceSolid& s) { std::for_each(s.vertices().begin(), s.vertices().end(), reach); },
         [&](const Sphere& s) { reach(s.center + DVec3(s.radius)), reach(s.center - DVec3(s.radius)); },
         [&](const MeshBody& s) { std::for_each(s.mesh.vertices.begin(), s.mesh.vertices.end(), reach); },
-        [&](const OpenSurface& s) { reach(s.center() + s.half_u() + s.half_v()), reach(s.center() - s.half_u() - s.half_v()); },
+        [&](const OpenSurface& s) {
+            reach(s.center() + s.half_u() + s.half_v()), reach(s.center() - s.half_u() - s.half_v());
+        },
     };
     for (const Solid& solid : plan.solids) std::visit(measure, solid.shape);
     for (const Surface& surface : plan.surfaces) std::visit(measure, surface.shape);
@@ -143,8 +153,11 @@ Result<Done> place_camera(const Scene& scene, Plan& plan) {
     const Region& region = plan.regions[static_cast<std::size_t>(plan.camera_region)];
     const MediumKind kind = plan.groups[0].media[static_cast<std::size_t>(region.medium)].dielectric.kind;
     if (kind != MediumKind::isotropic)
-        return at_place({ErrorKind::input, "the camera is inside '" + plan.solid(region.owner).name + "', which is not isotropic", {},
-                         "camera.position", "a pixel's coherence matrix needs an isotropic medium: move the camera out"},
+        return at_place({ErrorKind::input,
+                         "the camera is inside '" + plan.solid(region.owner).name + "', which is not isotropic",
+                         {},
+                         "camera.position",
+                         "a pixel's coherence matrix needs an isotropic medium: move the camera out"},
                         scene, scene.camera.place);
     return Done{};
 }

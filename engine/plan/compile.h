@@ -10,8 +10,8 @@
 namespace pol {
 
 /// Turns the user's document into the immutable plan that workers read. Errors: what scene/check cannot see without
-/// geometry (overlapping solids, impossible shapes, a wavelength outside an index record, a camera inside a crystal), each
-/// with the place in the scene file.
+/// geometry (overlapping solids, impossible shapes, a wavelength outside an index record, a camera inside a crystal),
+/// each with the place in the scene file.
 Result<std::shared_ptr<const Plan>> compile(const Scene& scene);
 
 }  // namespace pol

@@ -12,12 +12,15 @@
 namespace pol {
 
 Sheet sheet_in_world(const Sheet& sheet, const DMat4& to_world) {
-    return std::visit(Overloaded{
-                          [&](const LinearPolarizer& p) -> Sheet { return LinearPolarizer{direction_to_world(to_world, p.axis)}; },
-                          [&](const Retarder& r) -> Sheet { return Retarder{direction_to_world(to_world, r.fast_axis), r.retardance}; },
-                          [](const CircularPolarizer& c) -> Sheet { return c; },
-                      },
-                      sheet);
+    return std::visit(
+        Overloaded{
+            [&](const LinearPolarizer& p) -> Sheet { return LinearPolarizer{direction_to_world(to_world, p.axis)}; },
+            [&](const Retarder& r) -> Sheet {
+                return Retarder{direction_to_world(to_world, r.fast_axis), r.retardance};
+            },
+            [](const CircularPolarizer& c) -> Sheet { return c; },
+        },
+        sheet);
 }
 
 namespace {
@@ -26,7 +29,8 @@ namespace {
 std::vector<int> emitter_objects(const Plan& plan) {
     std::vector<int> objects(plan.emitters.size());
     for (const Surface& surface : plan.surfaces)
-        if (const auto* role = std::get_if<EmitterRole>(&surface.role)) objects[static_cast<std::size_t>(role->emitter)] = surface.object;
+        if (const auto* role = std::get_if<EmitterRole>(&surface.role))
+            objects[static_cast<std::size_t>(role->emitter)] = surface.object;
     return objects;
 }
 
@@ -41,15 +45,24 @@ Result<std::vector<Dielectric<double>>> plate_crystals(const Scene& scene, const
             plates.push_back(make_isotropic(1.0));
             continue;
         }
-        const auto medium = std::find_if(scene.media.begin(), scene.media.end(), [&](const Medium& m) { return m.name == plate->medium; });
+        const auto medium = std::find_if(scene.media.begin(), scene.media.end(),
+                                         [&](const Medium& m) { return m.name == plate->medium; });
         if (medium == scene.media.end())
-            return at_place({ErrorKind::input, "unknown medium '" + plate->medium + "'", {}, "emission.polarization.crystal_plate.medium", {}},
+            return at_place({ErrorKind::input,
+                             "unknown medium '" + plate->medium + "'",
+                             {},
+                             "emission.polarization.crystal_plate.medium",
+                             {}},
                             scene, object.place);
-        auto constants = medium_at(*medium, direction_to_world(object.to_world, plate->axis), wavelength_nm, scene.unit_nm);
+        auto constants =
+            medium_at(*medium, direction_to_world(object.to_world, plate->axis), wavelength_nm, scene.unit_nm);
         if (!constants) return at_place(constants.error(), scene, object.place);
         if (constants.value().dielectric.kind != MediumKind::uniaxial)
-            return at_place({ErrorKind::input, "the virtual plate's medium '" + plate->medium + "' has only one ray", {},
-                             "emission.polarization.crystal_plate.medium", "name a uniaxial medium with two different indices"},
+            return at_place({ErrorKind::input,
+                             "the virtual plate's medium '" + plate->medium + "' has only one ray",
+                             {},
+                             "emission.polarization.crystal_plate.medium",
+                             "name a uniaxial medium with two different indices"},
                             scene, object.place);
         plates.push_back(constants.value().dielectric);
     }
@@ -67,7 +80,8 @@ bool same_plates(const Plan& plan, int group, const std::vector<Dielectric<doubl
 void append_plates(Plan& plan, const std::vector<Dielectric<double>>& plates) {
     for (std::size_t i = 0; i < plates.size(); ++i) {
         if (plates[i].kind != MediumKind::uniaxial) continue;
-        if (!std::holds_alternative<PlanCrystalPlate>(plan.emitters[i].state)) plan.emitters[i].state = PlanCrystalPlate{};
+        if (!std::holds_alternative<PlanCrystalPlate>(plan.emitters[i].state))
+            plan.emitters[i].state = PlanCrystalPlate{};
         std::get<PlanCrystalPlate>(plan.emitters[i].state).crystal.push_back(plates[i]);
     }
 }
@@ -102,7 +116,8 @@ Result<CompiledRadiance> compile_radiance(const Radiance& radiance, const std::v
         double largest = 0.0;
         for (std::size_t i = 0; i + 2 < textured.image->rgb.size(); i += 3) {
             double value = 0.0;
-            for (std::size_t c = 0; c < 3; ++c) value += static_cast<double>(textured.image->rgb[i + c]) * texture.basis[c][w];
+            for (std::size_t c = 0; c < 3; ++c)
+                value += static_cast<double>(textured.image->rgb[i + c]) * texture.basis[c][w];
             largest = std::max(largest, value);
         }
         out.largest.push_back(largest);
@@ -121,7 +136,8 @@ double brightest_per_radiance(const EmittedState& state) {
                       state);
 }
 
-/// Smallest N^2 (physics.md 2.3) of any mode of the medium; for e waves N^2 = n_e^4 n_o^2 / n_r^4 with n_r between the two indices.
+/// Smallest N^2 (physics.md 2.3) of any mode of the medium; for e waves N^2 = n_e^4 n_o^2 / n_r^4 with n_r between the
+/// two indices.
 double smallest_ray_index2(const Dielectric<double>& d) {
     const double n_o2 = d.n * d.n;
     if (d.kind != MediumKind::uniaxial) return n_o2;
@@ -131,12 +147,18 @@ double smallest_ray_index2(const Dielectric<double>& d) {
 
 Result<Done> refuse_polarized_in_crystal(const Scene& scene, const Plan& plan, int body, const Object& object) {
     for (const Region& region : plan.regions) {
-        const bool here = std::find(region.surfaces.begin(), region.surfaces.end(), body) != region.surfaces.end() ||
-                          std::find(region.caster_body.begin(), region.caster_body.end(), body) != region.caster_body.end();
-        if (here && plan.groups[0].media[static_cast<std::size_t>(region.medium)].dielectric.kind == MediumKind::uniaxial)
-            return at_place({ErrorKind::input, "polarized emitter '" + object.name + "' reaches into a crystal, whose modes fix the polarization", {},
-                             "emission.polarization", "make it unpolarized or move it out of the crystal"},
-                            scene, object.place);
+        const bool here =
+            std::find(region.surfaces.begin(), region.surfaces.end(), body) != region.surfaces.end() ||
+            std::find(region.caster_body.begin(), region.caster_body.end(), body) != region.caster_body.end();
+        if (here &&
+            plan.groups[0].media[static_cast<std::size_t>(region.medium)].dielectric.kind == MediumKind::uniaxial)
+            return at_place(
+                {ErrorKind::input,
+                 "polarized emitter '" + object.name + "' reaches into a crystal, whose modes fix the polarization",
+                 {},
+                 "emission.polarization",
+                 "make it unpolarized or move it out of the crystal"},
+                scene, object.place);
     }
     return Done{};
 }
@@ -171,8 +193,12 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
         const Object& object = scene.objects[static_cast<std::size_t>(plan.surfaces[i].object)];
         const auto& emission = std::get<Emission>(object.role);
         Emitter& emitter = plan.emitters[static_cast<std::size_t>(role->emitter)];
-        if (std::holds_alternative<TexturedRadiance>(emission.radiance) && !std::holds_alternative<OpenSurface>(plan.surfaces[i].shape))
-            return at_place({ErrorKind::input, "textured emitter '" + object.name + "' is not flat", {}, "emission.radiance.texture",
+        if (std::holds_alternative<TexturedRadiance>(emission.radiance) &&
+            !std::holds_alternative<OpenSurface>(plan.surfaces[i].shape))
+            return at_place({ErrorKind::input,
+                             "textured emitter '" + object.name + "' is not flat",
+                             {},
+                             "emission.radiance.texture",
                              "textures are for rectangles and disks"},
                             scene, object.place);
         auto radiance = compile_radiance(emission.radiance, plan.wavelengths_nm);
@@ -184,7 +210,8 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
             if (auto done = refuse_polarized_in_crystal(scene, plan, body, object); !done) return done.error();
         }
         if (const auto* fixed = std::get_if<FixedState>(&emission.state))
-            emitter.state = PlanFixedState{fixed->s1, fixed->s2, fixed->s3, direction_to_world(object.to_world, fixed->x_axis)};
+            emitter.state =
+                PlanFixedState{fixed->s1, fixed->s2, fixed->s3, direction_to_world(object.to_world, fixed->x_axis)};
         if (const auto* plate = std::get_if<CrystalPlateState>(&emission.state)) {
             auto& compiled = std::get<PlanCrystalPlate>(emitter.state);
             compiled.passed = plate->passed;

@@ -19,7 +19,9 @@ Error at_place(Error error, const Scene& scene, const SourcePlace& place) {
 namespace {
 
 /// Extinction k as absorption coefficient: alpha = 4 pi k / lambda.
-double absorption_of(double k, double wavelength_nm, double unit_nm) { return 4.0 * pi * k / wavelength_nm * unit_nm; }
+double absorption_of(double k, double wavelength_nm, double unit_nm) {
+    return 4.0 * pi * k / wavelength_nm * unit_nm;
+}
 
 Result<MediumAt> isotropic_at(const IsotropicMedium& matter, double nm, double unit_nm) {
     const auto index = index_at(matter.index, nm);
@@ -42,7 +44,10 @@ Result<MediumAt> uniaxial_at(const UniaxialMedium& matter, const DVec3& axis_wor
     const AbsorptionAt absorption{alpha_o.value() + absorption_of(n_o.value().k, nm, unit_nm),
                                   alpha_e.value() + absorption_of(n_e.value().k, nm, unit_nm)};
     if (n_o.value().n == n_e.value().n && absorption.ordinary != absorption.extraordinary)
-        return Error{ErrorKind::input, "a crystal with equal indices cannot absorb its two rays differently", {}, {},
+        return Error{ErrorKind::input,
+                     "a crystal with equal indices cannot absorb its two rays differently",
+                     {},
+                     {},
                      "the two rays do not exist without birefringence; give absorption_o = absorption_e"};
     return MediumAt{make_uniaxial(n_o.value().n, n_e.value().n, axis_world), absorption};
 }
@@ -67,11 +72,13 @@ MediaTable::MediaTable(const Scene& scene) : scene_(scene) {
 }
 
 Result<int> MediaTable::entry(const std::string& name, const DMat4& to_world) {
-    const auto found = std::find_if(scene_.media.begin(), scene_.media.end(), [&](const Medium& m) { return m.name == name; });
+    const auto found =
+        std::find_if(scene_.media.begin(), scene_.media.end(), [&](const Medium& m) { return m.name == name; });
     if (found == scene_.media.end()) return Error{ErrorKind::input, "unknown medium '" + name + "'", {}, "medium", {}};
     DVec3 axis{0.0, 0.0, 1.0};
     if (const auto* crystal = std::get_if<UniaxialMedium>(&found->matter))
-        axis = crystal->axis_space == AxisSpace::object ? direction_to_world(to_world, crystal->axis) : unit(crystal->axis);
+        axis = crystal->axis_space == AxisSpace::object ? direction_to_world(to_world, crystal->axis)
+                                                        : unit(crystal->axis);
     for (std::size_t i = 0; i < entries_.size(); ++i)
         if (entries_[i].medium.name == name && entries_[i].axis_world == axis) return static_cast<int>(i);
     entries_.push_back({*found, axis});

@@ -15,7 +15,8 @@ class MediaTable {
 public:
     explicit MediaTable(const Scene& scene);
 
-    /// Entry for an object filled with `medium`, its crystal axis turned by the object's transform. Error: unknown name.
+    /// Entry for an object filled with `medium`, its crystal axis turned by the object's transform. Error: unknown
+    /// name.
     Result<int> entry(const std::string& medium, const DMat4& to_world);
 
     /// Name of each entry.

@@ -9,7 +9,7 @@ namespace pol {
 
 /// One line of the plan's account.
 struct Feature {
-    std::string name;    ///< "dispersion", "crystals", ...
+    std::string name;  ///< "dispersion", "crystals", ...
     bool needed = false;
     std::string reason;  ///< by which object, or why not
 };

@@ -40,7 +40,8 @@ std::vector<std::string> surfaces_with(const Plan& plan) {
 
 class Account {
 public:
-    void add(const std::string& name, const std::vector<std::string>& users, const std::string& use, const std::string& why_not) {
+    void add(const std::string& name, const std::vector<std::string>& users, const std::string& use,
+             const std::string& why_not) {
         list.push_back({name, !users.empty(), users.empty() ? why_not : use + join(users)});
     }
     std::vector<Feature> list;
@@ -51,21 +52,26 @@ void account_for_matter(const Plan& plan, Account& account) {
     if (plan.groups.size() > 1) {
         for (const Solid& solid : plan.solids) {
             const auto m = static_cast<std::size_t>(solid.medium);
-            const bool varies = std::any_of(plan.groups.begin(), plan.groups.end(),
-                                            [&](const WavelengthGroup& g) { return !(g.media[m] == plan.groups[0].media[m]); });
+            const bool varies = std::any_of(plan.groups.begin(), plan.groups.end(), [&](const WavelengthGroup& g) {
+                return !(g.media[m] == plan.groups[0].media[m]);
+            });
             if (varies) dispersive.push_back(solid.name);
         }
         if (dispersive.empty()) dispersive.emplace_back("a virtual crystal plate");
     }
     const std::string trees = std::to_string(plan.groups.size());
-    account.add("dispersion", dispersive, trees + " trees for " + std::to_string(plan.wavelengths_nm.size()) + " wavelengths: ",
-                plan.wavelengths_nm.size() == 1 ? "one wavelength asked" : "no medium changes with wavelength: one tree serves all");
-    account.add("crystals (o and e rays)", solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::uniaxial; }),
+    account.add("dispersion", dispersive,
+                trees + " trees for " + std::to_string(plan.wavelengths_nm.size()) + " wavelengths: ",
+                plan.wavelengths_nm.size() == 1 ? "one wavelength asked"
+                                                : "no medium changes with wavelength: one tree serves all");
+    account.add("crystals (o and e rays)",
+                solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::uniaxial; }),
                 "double refraction in ", "no medium with two different indices");
-    account.add("metals", solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::conductor; }),
+    account.add("metals",
+                solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::conductor; }),
                 "complex index of ", "no conductor");
-    account.add("absorption along rays", solids_with(plan, [](const MediumAt& m) { return m.absorption.absorbs(); }), "Beer-Lambert in ",
-                "no medium absorbs");
+    account.add("absorption along rays", solids_with(plan, [](const MediumAt& m) { return m.absorption.absorbs(); }),
+                "Beer-Lambert in ", "no medium absorbs");
     account.add("polarizers and retarders", surfaces_with<SheetRole>(plan), "", "no sheets");
 }
 
@@ -90,7 +96,8 @@ void account_for_geometry(const Plan& plan, Account& account) {
                     nested.push_back(plan.solid(member).name);
     account.add("half-space solids", half_spaces, "exact planes in double: ", "no flat convex solid");
     account.add("analytic spheres", spheres, "", "no sphere");
-    account.add("Embree scene", meshes, "meshes that are not convex or not closed: ", "flat convex solids, spheres and flat surfaces need none");
+    account.add("Embree scene", meshes, "meshes that are not convex or not closed: ",
+                "flat convex solids, spheres and flat surfaces need none");
     account.add("shared faces", touching, "touching solids become one interface: ", "no two solids touch");
     account.add("nested or overlapping media", nested, "", "no solid lies inside another");
 }
@@ -109,9 +116,12 @@ void account_for_light(const Scene& scene, const Plan& plan, Account& account) {
     const bool lit = std::any_of(plan.background.begin(), plan.background.end(), [](double v) { return v != 0.0; });
     account.list.push_back({"background light", lit, lit ? "uniform surroundings" : "black surroundings"});
     const bool area = plan.settings.mode == SampleMode::area;
-    account.list.push_back({"pixel area sampling", area, area ? "quasi-random over each pixel" : "point mode: one ray through the pixel centre"});
+    account.list.push_back({"pixel area sampling", area,
+                            area ? "quasi-random over each pixel" : "point mode: one ray through the pixel centre"});
     const bool depth = plan.settings.depth.has_value();
-    account.list.push_back({"depth limit", depth, depth ? "the paper's mode: depth " + std::to_string(*plan.settings.depth) : "trees are cut by energy"});
+    account.list.push_back(
+        {"depth limit", depth,
+         depth ? "the paper's mode: depth " + std::to_string(*plan.settings.depth) : "trees are cut by energy"});
 }
 
 }  // namespace
@@ -123,14 +133,17 @@ Features list_features(const Scene& scene, const Plan& plan) {
     account_for_light(scene, plan, account);
     Features features;
     const auto needed = [&](const std::string& name) {
-        return std::any_of(account.list.begin(), account.list.end(), [&](const Feature& f) { return f.name == name && f.needed; });
+        return std::any_of(account.list.begin(), account.list.end(),
+                           [&](const Feature& f) { return f.name == name && f.needed; });
     };
     features.anisotropic = needed("crystals (o and e rays)");
     features.meshes = needed("Embree scene");
     features.absorbing = std::any_of(plan.groups.begin(), plan.groups.end(), [](const WavelengthGroup& group) {
-        return std::any_of(group.media.begin(), group.media.end(), [](const MediumAt& m) { return m.absorption.absorbs(); });
+        return std::any_of(group.media.begin(), group.media.end(),
+                           [](const MediumAt& m) { return m.absorption.absorbs(); });
     });
-    features.kernel = std::string(features.anisotropic ? "anisotropic" : "isotropic") + (features.absorbing ? ", absorbing" : ", lossless");
+    features.kernel = std::string(features.anisotropic ? "anisotropic" : "isotropic") +
+                      (features.absorbing ? ", absorbing" : ", lossless");
     features.list = std::move(account.list);
     return features;
 }

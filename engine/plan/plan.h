@@ -33,19 +33,20 @@ struct WavelengthGroup {
 constexpr std::size_t max_nested_meshes = 8;
 
 /// A part of space with one medium: the set of solids that a ray is inside of. Region 0 lies outside all of them.
-/// Candidates for the next hit are the ways out of the members, the ways into solids that reach into this region, and the
-/// surfaces in it.
+/// Candidates for the next hit are the ways out of the members, the ways into solids that reach into this region, and
+/// the surfaces in it.
 struct Region {
-    std::vector<int> members;   ///< solids, ascending
-    int owner = -1;             ///< the member whose medium fills the region; -1: ambient
-    int medium = 0;             ///< index into Plan::medium_names
-    std::vector<int> exits;     ///< members with analytic or half-space boundary that can be left
-    std::vector<int> entries;   ///< other solids, analytic or half-space, that can be entered
-    std::vector<int> surfaces;  ///< surfaces that are not meshes
+    std::vector<int> members;                 ///< solids, ascending
+    int owner = -1;                           ///< the member whose medium fills the region; -1: ambient
+    int medium = 0;                           ///< index into Plan::medium_names
+    std::vector<int> exits;                   ///< members with analytic or half-space boundary that can be left
+    std::vector<int> entries;                 ///< other solids, analytic or half-space, that can be entered
+    std::vector<int> surfaces;                ///< surfaces that are not meshes
     std::unique_ptr<const RayCaster> caster;  ///< the meshes among them, or null
     std::vector<int> caster_body;             ///< body of each mesh of the caster
-    std::vector<LeftFacet> caster_inside;     ///< its meshes that a ray in this region is inside of, at most max_nested_meshes
-    std::vector<int> toggled;   ///< by solid: the region on the other side of its boundary; -1: cannot be
+    std::vector<LeftFacet>
+        caster_inside;         ///< its meshes that a ray in this region is inside of, at most max_nested_meshes
+    std::vector<int> toggled;  ///< by solid: the region on the other side of its boundary; -1: cannot be
 };
 
 /// Bodies are numbered solids first, then surfaces.
@@ -62,16 +63,20 @@ struct Plan {
     std::vector<double> background;  ///< radiance per wavelength
     std::vector<Region> regions;
     CameraModel camera;
-    int camera_region = 0;           ///< region of the camera if it is the same for all pixels, else -1
-    double length_scale = 1.0;       ///< largest extent of the scene, for contact margins
-    std::vector<double> brightest;   ///< bound of 2 lambda_max over all that can be seen, per wavelength
+    int camera_region = 0;          ///< region of the camera if it is the same for all pixels, else -1
+    double length_scale = 1.0;      ///< largest extent of the scene, for contact margins
+    std::vector<double> brightest;  ///< bound of 2 lambda_max over all that can be seen, per wavelength
     Features features;
 
     [[nodiscard]] int solid_count() const { return static_cast<int>(solids.size()); }
     [[nodiscard]] bool is_solid(int body) const { return body >= 0 && body < solid_count(); }
-    [[nodiscard]] const Surface& surface(int body) const { return surfaces[static_cast<std::size_t>(body - solid_count())]; }
+    [[nodiscard]] const Surface& surface(int body) const {
+        return surfaces[static_cast<std::size_t>(body - solid_count())];
+    }
     [[nodiscard]] const Solid& solid(int body) const { return solids[static_cast<std::size_t>(body)]; }
-    [[nodiscard]] const std::string& body_name(int body) const { return is_solid(body) ? solid(body).name : surface(body).name; }
+    [[nodiscard]] const std::string& body_name(int body) const {
+        return is_solid(body) ? solid(body).name : surface(body).name;
+    }
 
     /// Region that contains a point (boundaries count as outside).
     [[nodiscard]] int region_at(const DVec3& point) const;

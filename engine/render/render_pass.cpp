@@ -22,7 +22,8 @@ class KernelPass final : public PassTracer {
 public:
     explicit KernelPass(const Plan& plan) : plan_(plan), tracer_(plan, observer_) {}
 
-    RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled, TileBuffer& buffer) override {
+    RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
+                           TileBuffer& buffer) override {
         observer_.flag = &cancelled;
         const std::size_t pixels = buffer.rect.pixel_count();
         const std::size_t wavelengths = plan_.wavelengths_nm.size();
@@ -47,7 +48,8 @@ public:
                         statistics.nodes += result.nodes;
                         statistics.failures += result.failures;
                         statistics.most_nodes = std::max(statistics.most_nodes, result.nodes);
-                        const double defect = std::abs(result.resolved + result.absorbed + result.residual + result.tail - 1.0);
+                        const double defect =
+                            std::abs(result.resolved + result.absorbed + result.residual + result.tail - 1.0);
                         statistics.worst_energy_defect = std::max(statistics.worst_energy_defect, defect);
                     }
                     ++statistics.samples;
@@ -58,7 +60,8 @@ public:
     }
 
 private:
-    TraceResult trace_group(int x, int y, std::uint32_t sample, std::size_t group, TileBuffer& buffer, std::size_t pixel) {
+    TraceResult trace_group(int x, int y, std::uint32_t sample, std::size_t group, TileBuffer& buffer,
+                            std::size_t pixel) {
         const std::vector<int>& members = plan_.groups[group].wavelengths;
         light_.assign(members.size(), {});
         const TraceResult result = tracer_.trace(sample_task(plan_, x, y, sample, static_cast<int>(group)), light_);

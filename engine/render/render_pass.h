@@ -18,7 +18,8 @@ public:
     virtual ~PassTracer() = default;
     /// Traces samples first..last-1 of every pixel of buffer.rect into the buffer. Returns early, with a buffer of no
     /// use, once `cancelled` is set.
-    virtual RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled, TileBuffer& buffer) = 0;
+    virtual RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
+                                   TileBuffer& buffer) = 0;
 };
 
 /// The kernel instance for the plan's features. The plan must outlive it.

@@ -10,6 +10,10 @@
 
 namespace pol {
 
+int hardware_threads() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 /// One call of start(). Everything but `cancelled` is guarded by the renderer's mutex or constant.
 struct Renderer::Job {
     std::shared_ptr<const Plan> plan;
@@ -34,8 +38,8 @@ std::vector<TileRect> cut_tiles(int width, int height, int size) {
     return tiles;
 }
 
-/// Passes double in length, so that a picture is there early and the overhead of a pass vanishes later. The limits depend
-/// on nothing but the sample number: every run sums a pixel in the same order.
+/// Passes double in length, so that a picture is there early and the overhead of a pass vanishes later. The limits
+/// depend on nothing but the sample number: every run sums a pixel in the same order.
 std::uint32_t pass_end(std::uint32_t first_sample, std::uint32_t wanted) {
     constexpr std::uint32_t longest = 16;
     const std::uint32_t length = std::clamp(first_sample, 1U, longest);
@@ -44,9 +48,11 @@ std::uint32_t pass_end(std::uint32_t first_sample, std::uint32_t wanted) {
 
 }  // namespace
 
-Renderer::Renderer(int threads, int tile_size, std::function<void()> wake) : tile_size_(tile_size), wake_(std::move(wake)) {
+Renderer::Renderer(int threads, int tile_size, std::function<void()> wake)
+    : tile_size_(tile_size), wake_(std::move(wake)) {
     POL_EXPECTS(threads > 0 && tile_size > 0);
-    for (int i = 0; i < threads; ++i) workers_.emplace_back([this](const std::stop_token& shutdown) { work(shutdown); });
+    for (int i = 0; i < threads; ++i)
+        workers_.emplace_back([this](const std::stop_token& shutdown) { work(shutdown); });
 }
 
 Renderer::~Renderer() {
@@ -68,7 +74,8 @@ void Renderer::start(std::shared_ptr<const Plan> plan) {
         const std::scoped_lock lock(mutex_);
         if (job_) job_->cancelled = true;
         job->generation = ++generation_;
-        film_.reset({settings.width, settings.height, job->plan->group_of_wavelength, static_cast<int>(job->plan->groups.size())},
+        film_.reset({settings.width, settings.height, job->plan->group_of_wavelength,
+                     static_cast<int>(job->plan->groups.size())},
                     job->generation);
         job_ = std::move(job);
         paused_ = false;
@@ -99,7 +106,8 @@ void Renderer::resume() {
 
 bool Renderer::wait_for(double seconds) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return !job_ || job_->finished(); });
+    return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                             [this] { return !job_ || job_->finished(); });
 }
 
 RenderProgress Renderer::progress() const {
@@ -126,9 +134,8 @@ StokesImage Renderer::snapshot() const {
 
 Renderer::Work Renderer::next(const std::stop_token& shutdown) {
     std::unique_lock lock(mutex_);
-    const bool ready = changed_.wait(lock, shutdown, [this] {
-        return job_ && !paused_ && !job_->cancelled.load() && !job_->queue.empty();
-    });
+    const bool ready = changed_.wait(
+        lock, shutdown, [this] { return job_ && !paused_ && !job_->cancelled.load() && !job_->queue.empty(); });
     if (!ready) return {};
     Work work{job_, job_->queue.front()};
     job_->queue.pop_front();
@@ -147,7 +154,8 @@ void Renderer::give_back(const Work& work, bool delivered, const RenderStatistic
             job.statistics.nodes += statistics.nodes;
             job.statistics.failures += statistics.failures;
             job.statistics.most_nodes = std::max(job.statistics.most_nodes, statistics.most_nodes);
-            job.statistics.worst_energy_defect = std::max(job.statistics.worst_energy_defect, statistics.worst_energy_defect);
+            job.statistics.worst_energy_defect =
+                std::max(job.statistics.worst_energy_defect, statistics.worst_energy_defect);
             const std::uint32_t end = pass_end(work.task.first_sample, wanted);
             if (end < wanted) job.queue.push_back({work.task.tile, end});
         }

@@ -19,10 +19,10 @@ namespace pol {
 
 /// What the workers have done in the current job.
 struct RenderStatistics {
-    std::uint64_t samples = 0;    ///< camera samples, each counted once for all its wavelengths
-    std::uint64_t nodes = 0;      ///< rays followed
+    std::uint64_t samples = 0;  ///< camera samples, each counted once for all its wavelengths
+    std::uint64_t nodes = 0;    ///< rays followed
     std::uint64_t failures = 0;
-    std::uint32_t most_nodes = 0; ///< in one tree
+    std::uint32_t most_nodes = 0;      ///< in one tree
     double worst_energy_defect = 0.0;  ///< largest |resolved + absorbed + residual + tail - 1|
 };
 
@@ -31,6 +31,9 @@ struct RenderProgress {
     bool finished = false;
     RenderStatistics statistics{};
 };
+
+/// Threads that the machine can run at once, at least 1.
+int hardware_threads();
 
 /// Thread safety: all members from the owner's thread; `wake` is called from workers.
 class Renderer {

@@ -33,8 +33,8 @@ using Radiance = std::variant<Spectrum, TexturedRadiance>;
 
 struct Unpolarized {};
 
-/// The same state in every direction: Stokes vector divided by S0, written in a right-handed frame about the light whose
-/// x axis is `x_axis` (object space) made transverse. |(s1, s2, s3)| <= 1.
+/// The same state in every direction: Stokes vector divided by S0, written in a right-handed frame about the light
+/// whose x axis is `x_axis` (object space) made transverse. |(s1, s2, s3)| <= 1.
 struct FixedState {
     double s1 = 0.0;
     double s2 = 0.0;
@@ -42,19 +42,20 @@ struct FixedState {
     DVec3 x_axis{1.0, 0.0, 0.0};
 };
 
-/// The paper's virtual crystal plate (5.3): the emitter is covered by a plane-parallel plate of a uniaxial medium, of which
-/// only one of the two rays is passed. The rest of the light is lost: without Fresnel factor an emitter of radiance L
-/// shows L/2. With it the transmittance of the exit face for that ray is applied as well.
+/// The paper's virtual crystal plate (5.3): the emitter is covered by a plane-parallel plate of a uniaxial medium, of
+/// which only one of the two rays is passed. The rest of the light is lost: without Fresnel factor an emitter of
+/// radiance L shows L/2. With it the transmittance of the exit face for that ray is applied as well.
 struct CrystalPlateState {
-    std::string medium;                        ///< name of a uniaxial medium
-    DVec3 axis{1.0, 0.0, 0.0};                 ///< optic axis, object space; replaces the axis of the medium
+    std::string medium;         ///< name of a uniaxial medium
+    DVec3 axis{1.0, 0.0, 0.0};  ///< optic axis, object space; replaces the axis of the medium
     CrystalRay passed = CrystalRay::extraordinary;
     bool fresnel = false;
 };
 
 using EmittedState = std::variant<Unpolarized, FixedState, CrystalPlateState>;
 
-/// A surface that emits from its front side (the side of its outward normal) and absorbs what falls on it, on both sides.
+/// A surface that emits from its front side (the side of its outward normal) and absorbs what falls on it, on both
+/// sides.
 struct Emission {
     Radiance radiance = Spectrum{ConstantSpectrum{1.0}};
     EmittedState state = Unpolarized{};

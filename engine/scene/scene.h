@@ -53,9 +53,9 @@ struct RenderSettings {
     std::vector<double> wavelengths_nm{580.0};
     SampleMode mode = SampleMode::point;
     int samples_per_pixel = 1;
-    double residual = 1e-3;          ///< largest share of a pixel that may stay untraced
-    std::optional<int> depth;        ///< the paper's depth limit; none: cut by energy alone
-    int node_budget = 1000;          ///< branches a sample may follow before its random tail
+    double residual = 1e-3;    ///< largest share of a pixel that may stay untraced
+    std::optional<int> depth;  ///< the paper's depth limit; none: cut by energy alone
+    int node_budget = 1000;    ///< branches a sample may follow before its random tail
     std::uint64_t seed = 0;
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
@@ -66,7 +66,7 @@ struct Scene {
     double unit_nm = 1e6;  ///< nanometres per scene unit; default: 1 unit = 1 mm
     Camera camera;
     Background background;
-    std::string ambient;   ///< medium around everything; empty: vacuum
+    std::string ambient;  ///< medium around everything; empty: vacuum
     std::vector<Medium> media;
     std::vector<Object> objects;
     RenderSettings render;

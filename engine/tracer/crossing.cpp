@@ -20,9 +20,12 @@ void keep_nearer(Crossing& nearest, double distance, int body, int facet) {
     if (facet >= 0 && (nearest.body < 0 || distance < nearest.distance)) nearest = {distance, body, facet, -1, {}, {}};
 }
 
-int skip_of(const Left& left, int body) { return left.body == body ? left.facet : -1; }
+int skip_of(const Left& left, int body) {
+    return left.body == body ? left.facet : -1;
+}
 
-void meet_surface(const Plan& plan, int body, const DVec3& origin, const DVec3& direction, const Left& left, Crossing& nearest) {
+void meet_surface(const Plan& plan, int body, const DVec3& origin, const DVec3& direction, const Left& left,
+                  Crossing& nearest) {
     const int skip = skip_of(left, body);
     std::visit(Overloaded{
                    [&](const OpenSurface& open) {
@@ -61,23 +64,26 @@ DVec3 normal_of(const Plan& plan, const Crossing& crossing, const DVec3& point) 
 
 }  // namespace
 
-Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& origin, const DVec3& direction, const Left& left) {
+Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& origin, const DVec3& direction,
+                       const Left& left) {
     Crossing nearest;
     for (const int body : region.surfaces) meet_surface(plan, body, origin, direction, left, nearest);
     for (const int body : region.exits) {
-        const FacetHit hit = std::visit(Overloaded{
-                                            [](const MeshBody&) { return FacetHit{}; },
-                                            [&](const auto& solid) { return solid.exit(origin, direction, skip_of(left, body)); },
-                                        },
-                                        plan.solid(body).shape);
+        const FacetHit hit =
+            std::visit(Overloaded{
+                           [](const MeshBody&) { return FacetHit{}; },
+                           [&](const auto& solid) { return solid.exit(origin, direction, skip_of(left, body)); },
+                       },
+                       plan.solid(body).shape);
         keep_nearer(nearest, hit.distance, body, hit.facet);
     }
     for (const int body : region.entries) {
-        const FacetHit hit = std::visit(Overloaded{
-                                            [](const MeshBody&) { return FacetHit{}; },
-                                            [&](const auto& solid) { return solid.enter(origin, direction, skip_of(left, body)); },
-                                        },
-                                        plan.solid(body).shape);
+        const FacetHit hit =
+            std::visit(Overloaded{
+                           [](const MeshBody&) { return FacetHit{}; },
+                           [&](const auto& solid) { return solid.enter(origin, direction, skip_of(left, body)); },
+                       },
+                       plan.solid(body).shape);
         keep_nearer(nearest, hit.distance, body, hit.facet);
     }
     if (region.caster) {
@@ -87,7 +93,8 @@ Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& orig
         for (const LeftFacet& inside : region.caster_inside)
             if (region.caster_body[static_cast<std::size_t>(inside.mesh)] != left.body) stands[count++] = inside;
         for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
-            if (region.caster_body[mesh] == left.body) stands[count++] = {static_cast<int>(mesh), left.facet, left.triangle};
+            if (region.caster_body[mesh] == left.body)
+                stands[count++] = {static_cast<int>(mesh), left.facet, left.triangle};
         if (const auto hit = region.caster->nearest(origin, direction, {stands.data(), count})) {
             const int body = region.caster_body[static_cast<std::size_t>(hit->mesh)];
             keep_nearer(nearest, hit->distance, body, hit->facet);
@@ -102,32 +109,32 @@ namespace {
 
 /// Whether `point`, known to lie in the plane of `facet`, lies inside that facet's outline.
 bool facet_covers(const Solid& solid, int facet, const DVec3& point, double margin) {
-    return std::visit(
-        Overloaded{
-            [&](const HalfSpaceSolid& half_spaces) {
-                for (int i = 0; i < half_spaces.facet_count(); ++i) {
-                    const Plane& plane = half_spaces.plane(i);
-                    if (i != facet && dot(plane.normal, point) - plane.offset > margin) return false;
-                }
-                return true;
-            },
-            [](const Sphere&) { return false; },
-            [&](const MeshBody& body) {
-                const DVec3 normal = body.mesh.facets[static_cast<std::size_t>(facet)].normal;
-                for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
-                    if (body.mesh.facet_of_triangle[t] != static_cast<std::uint32_t>(facet)) continue;
-                    bool inside = true;
-                    for (std::size_t corner = 0; corner < 3; ++corner) {
-                        const DVec3& a = body.mesh.vertices[body.mesh.triangles[t][corner]];
-                        const DVec3& b = body.mesh.vertices[body.mesh.triangles[t][(corner + 1) % 3]];
-                        if (dot(cross(b - a, point - a), normal) < -margin * glm::length(b - a)) inside = false;
-                    }
-                    if (inside) return true;
-                }
-                return false;
-            },
-        },
-        solid.shape);
+    return std::visit(Overloaded{
+                          [&](const HalfSpaceSolid& half_spaces) {
+                              for (int i = 0; i < half_spaces.facet_count(); ++i) {
+                                  const Plane& plane = half_spaces.plane(i);
+                                  if (i != facet && dot(plane.normal, point) - plane.offset > margin) return false;
+                              }
+                              return true;
+                          },
+                          [](const Sphere&) { return false; },
+                          [&](const MeshBody& body) {
+                              const DVec3 normal = body.mesh.facets[static_cast<std::size_t>(facet)].normal;
+                              for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
+                                  if (body.mesh.facet_of_triangle[t] != static_cast<std::uint32_t>(facet)) continue;
+                                  bool inside = true;
+                                  for (std::size_t corner = 0; corner < 3; ++corner) {
+                                      const DVec3& a = body.mesh.vertices[body.mesh.triangles[t][corner]];
+                                      const DVec3& b = body.mesh.vertices[body.mesh.triangles[t][(corner + 1) % 3]];
+                                      if (dot(cross(b - a, point - a), normal) < -margin * glm::length(b - a))
+                                          inside = false;
+                                  }
+                                  if (inside) return true;
+                              }
+                              return false;
+                          },
+                      },
+                      solid.shape);
 }
 
 }  // namespace
@@ -144,7 +151,9 @@ FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const D
     for (const Contact& contact : solid.contacts[static_cast<std::size_t>(crossing.facet)]) {
         // Faces that face each other are crossed from one solid into the other, flush faces into or out of both.
         if ((inside(crossing.body) == inside(contact.other_solid)) != contact.flush) continue;
-        if (!facet_covers(plan.solid(contact.other_solid), contact.other_facet, point, contact_margin * plan.length_scale)) continue;
+        if (!facet_covers(plan.solid(contact.other_solid), contact.other_facet, point,
+                          contact_margin * plan.length_scale))
+            continue;
         far.region = toggle(far.region, contact.other_solid);
         far.left = {contact.other_solid, contact.other_facet, -1};
     }

@@ -13,12 +13,13 @@ struct Crossing {
     int body = -1;
     int facet = -1;
     int triangle = -1;  ///< of a mesh
-    DVec3 normal{};  ///< outward unit normal of the body there
-    DVec2 uv{};      ///< place on an open surface, 0..1 along its x and y
+    DVec3 normal{};     ///< outward unit normal of the body there
+    DVec2 uv{};         ///< place on an open surface, 0..1 along its x and y
 };
 
 /// Nearest candidate of `region` along the ray. Thread safety: const, any thread.
-Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& origin, const DVec3& direction, const Left& left);
+Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& origin, const DVec3& direction,
+                       const Left& left);
 
 /// What lies behind a solid's boundary at `point`: the region on the other side and the facet that a ray arriving there
 /// has just left (that of a touching solid, if one is entered through a common face). region -1: numerical failure.

@@ -29,7 +29,8 @@ std::vector<CoherenceMatrix<double>> leaf_source(const Plan& plan, const TraceTa
     if (unit_node.wave.kind != WaveKind::pair) unit_node.throughput.m[1][1] = Complex<double>(0.0);
     const WavelengthGroup& group = plan.groups[static_cast<std::size_t>(task.group)];
     const double kept = leaf.start.weight > 0.0 ? leaf.end.weight / leaf.start.weight : 0.0;
-    const auto& camera_medium = group.media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(task.region)].medium)];
+    const auto& camera_medium =
+        group.media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(task.region)].medium)];
     std::vector<Stokes<double>> light(group.wavelengths.size());
     if (leaf.reason == LeafReason::background) {
         background_light(plan, group, unit_node, camera_medium.dielectric.n, light);
@@ -65,7 +66,8 @@ Throughput step_matrix(const Plan& plan, const TraceTask& task, const RayTreeNod
         cross_boundary(node, medium(node.region), medium(far.region), parent.crossing.normal * sense, branches);
         for (int i = 0; i < branches.count; ++i) {
             const bool reflected = branches.side[i] == Side::reflected;
-            if (reflected == (child.interaction == Interaction::reflected) && branches.node[i].wave.k == child.start.wave.k)
+            if (reflected == (child.interaction == Interaction::reflected) &&
+                branches.node[i].wave.k == child.start.wave.k)
                 step = branches.node[i].throughput;
         }
     }
@@ -84,7 +86,8 @@ void gather(const Plan& plan, const TraceTask& task, RayTree& tree) {
         node->share.assign(wavelengths, {});
         for (std::size_t w = 0; w < node->light.size(); ++w) node->share[w] += node->light[w];
         for (const int child : node->children)
-            for (std::size_t w = 0; w < wavelengths; ++w) node->share[w] += tree.nodes[static_cast<std::size_t>(child)].share[w];
+            for (std::size_t w = 0; w < wavelengths; ++w)
+                node->share[w] += tree.nodes[static_cast<std::size_t>(child)].share[w];
         if (node->estimated) continue;
         if (node->reason) {
             node->arriving = leaf_source(plan, task, *node);

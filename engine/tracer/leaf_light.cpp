@@ -32,8 +32,8 @@ CoherenceMatrix<double> fixed_state(const PlanFixedState& state, const Node& nod
     return {element(field[0], field[0]).re, element(field[1], field[1]).re, element(field[0], field[1])};
 }
 
-/// (n_camera / N)^2 with N^2 of physics.md 2.3: from radiance at the leaf to radiance at the camera. For a pair along the
-/// axis of a crystal the ordinary index stands for both modes.
+/// (n_camera / N)^2 with N^2 of physics.md 2.3: from radiance at the leaf to radiance at the camera. For a pair along
+/// the axis of a crystal the ordinary index stands for both modes.
 double radiance_factor(const Dielectric<double>& medium, const Wave<double>& wave, double camera_n) {
     double n2 = medium.n * medium.n;
     if (wave.kind == WaveKind::extraordinary) {
@@ -56,8 +56,8 @@ Stokes<double> emitted_state(const Emitter& emitter, int group, const Node& node
                           [&](const PlanFixedState& state) { return node.throughput.gather(fixed_state(state, node)); },
                           [&](const PlanCrystalPlate& plate) {
                               return node.throughput.gather(crystal_plate_state(
-                                  plate.crystal[static_cast<std::size_t>(group)], normal, -node.wave.ray, n, plate.passed,
-                                  plate.fresnel, node.wave.field[0], node.wave.field[1]));
+                                  plate.crystal[static_cast<std::size_t>(group)], normal, -node.wave.ray, n,
+                                  plate.passed, plate.fresnel, node.wave.field[0], node.wave.field[1]));
                           },
                       },
                       emitter.state);
@@ -68,24 +68,28 @@ const float* texel(const RgbImage& image, const DVec2& uv) {
     const auto index = [](double t, int count) {
         return static_cast<std::size_t>(std::clamp(static_cast<int>(t * count), 0, count - 1));
     };
-    return &image.rgb[3 * (index(1.0 - uv.y, image.height) * static_cast<std::size_t>(image.width) + index(uv.x, image.width))];
+    return &image.rgb[3 * (index(1.0 - uv.y, image.height) * static_cast<std::size_t>(image.width) +
+                           index(uv.x, image.width))];
 }
 
 }  // namespace
 
-void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n, std::span<Stokes<double>> light) {
+void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n,
+                      std::span<Stokes<double>> light) {
     const Stokes<double> state =
         radiance_factor(medium_of(plan, group, node.region), node.wave, camera_n) * node.throughput.unpolarized();
-    for (std::size_t i = 0; i < light.size(); ++i) light[i] = plan.background[static_cast<std::size_t>(group.wavelengths[i])] * state;
+    for (std::size_t i = 0; i < light.size(); ++i)
+        light[i] = plan.background[static_cast<std::size_t>(group.wavelengths[i])] * state;
 }
 
-void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing, double camera_n,
-                   std::span<Stokes<double>> light) {
+void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing,
+                   double camera_n, std::span<Stokes<double>> light) {
     const WavelengthGroup& wavelengths = plan.groups[static_cast<std::size_t>(group)];
     const Dielectric<double>& medium = medium_of(plan, wavelengths, node.region);
     const bool front = dot(crossing.normal, node.wave.ray) < 0.0;
-    const Stokes<double> state = radiance_factor(medium, node.wave, camera_n) *
-                                 emitted_state(emitter, group, node, front ? crossing.normal : -crossing.normal, medium.n);
+    const Stokes<double> state =
+        radiance_factor(medium, node.wave, camera_n) *
+        emitted_state(emitter, group, node, front ? crossing.normal : -crossing.normal, medium.n);
     std::visit(Overloaded{
                    [&](const std::vector<double>& radiance) {
                        for (std::size_t i = 0; i < light.size(); ++i)
@@ -96,7 +100,8 @@ void emitter_light(const Plan& plan, int group, const Emitter& emitter, const No
                        for (std::size_t i = 0; i < light.size(); ++i) {
                            const auto w = static_cast<std::size_t>(wavelengths.wavelengths[i]);
                            double radiance = 0.0;
-                           for (std::size_t c = 0; c < 3; ++c) radiance += static_cast<double>(rgb[c]) * texture.basis[c][w];
+                           for (std::size_t c = 0; c < 3; ++c)
+                               radiance += static_cast<double>(rgb[c]) * texture.basis[c][w];
                            light[i] = radiance * state;
                        }
                    },

@@ -13,10 +13,11 @@ namespace pol {
 
 /// Light of the uniform surroundings on a ray that leaves the scene, one Stokes vector per wavelength of the group.
 /// camera_n: index at the camera; radiance there is n_camera^2 times basic radiance (physics.md 2.3).
-void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n, std::span<Stokes<double>> light);
+void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n,
+                      std::span<Stokes<double>> light);
 
 /// Light of an emitter that the ray has met at node.origin. In a crystal each mode carries half the radiance.
-void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing, double camera_n,
-                   std::span<Stokes<double>> light);
+void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing,
+                   double camera_n, std::span<Stokes<double>> light);
 
 }  // namespace pol

@@ -16,8 +16,8 @@ struct Node {
     double weight = 0.0;      ///< throughput.weight()
     Left left{};
     int region = 0;
-    int depth = 0;            ///< interfaces met so far
-    int id = 0;               ///< order of creation within the sample; 0 is the camera ray
+    int depth = 0;  ///< interfaces met so far
+    int id = 0;     ///< order of creation within the sample; 0 is the camera ray
 };
 
 /// How a branch came to be.

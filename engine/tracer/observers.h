@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who watches the kernel. The picture is made with an observer that sees nothing, a pixel is explained with one that writes
-// everything down (ray_tree.h): same kernel, same numbers.
+// Who watches the kernel. The picture is made with an observer that sees nothing, a pixel is explained with one that
+// writes everything down (ray_tree.h): same kernel, same numbers.
 #pragma once
 
 #include <span>

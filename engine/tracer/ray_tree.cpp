@@ -22,7 +22,8 @@ void TreeRecorder::reached(const Node& node, const Crossing& crossing) {
     entry.crossing = crossing;
     entry.arrived = true;
     // The angle from the cross product too: acos alone loses half the digits near normal incidence.
-    entry.angle = std::atan2(std::sqrt(length2(cross(crossing.normal, node.wave.ray))), std::abs(dot(crossing.normal, node.wave.ray)));
+    entry.angle = std::atan2(std::sqrt(length2(cross(crossing.normal, node.wave.ray))),
+                             std::abs(dot(crossing.normal, node.wave.ray)));
 }
 
 void TreeRecorder::ended(const Node& node, LeafReason reason, std::span<const Stokes<double>> light) {

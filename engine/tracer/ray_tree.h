@@ -17,18 +17,19 @@ namespace pol {
 struct RayTreeNode {
     int parent = -1;
     Interaction interaction = Interaction::camera;
-    Node start;              ///< as it left its origin
-    Node end;                ///< as it arrived: origin is the point, absorption along the way is in the throughput
-    Crossing crossing{};     ///< what it met; body -1: nothing
+    Node start;           ///< as it left its origin
+    Node end;             ///< as it arrived: origin is the point, absorption along the way is in the throughput
+    Crossing crossing{};  ///< what it met; body -1: nothing
     bool arrived = false;
-    bool estimated = false;  ///< on the random tail: rescaled to stand for all that was open
-    double angle = 0.0;      ///< of incidence of the ray where it arrived, radians
-    std::optional<LeafReason> reason;         ///< why it ended; none: it branched
-    std::vector<Stokes<double>> light;        ///< its share of the pixel per wavelength of the group, leaves only
-    /// Coherence matrix of the light that arrives at the start of this branch, in start.wave.field (a single mode uses xx
-    /// only), basic radiance times n_camera^2, per wavelength of the group. Empty on the random tail.
+    bool estimated = false;             ///< on the random tail: rescaled to stand for all that was open
+    double angle = 0.0;                 ///< of incidence of the ray where it arrived, radians
+    std::optional<LeafReason> reason;   ///< why it ended; none: it branched
+    std::vector<Stokes<double>> light;  ///< its share of the pixel per wavelength of the group, leaves only
+    /// Coherence matrix of the light that arrives at the start of this branch, in start.wave.field (a single mode uses
+    /// xx only), basic radiance times n_camera^2, per wavelength of the group. Empty on the random tail.
     std::vector<CoherenceMatrix<double>> arriving;
-    std::vector<Stokes<double>> share;  ///< what this branch and all that grew from it bring to the pixel, per wavelength
+    std::vector<Stokes<double>>
+        share;  ///< what this branch and all that grew from it bring to the pixel, per wavelength
     std::vector<int> children;
 };
 

@@ -10,13 +10,13 @@
 
 namespace pol {
 
-/// Where in its pixel a sample lies, (0,0) top left to (1,1). Sample 0 is always the centre, so that a click shows the same
-/// tree in both modes. The others follow the R2 sequence (M. Roberts, "The unreasonable effectiveness of
+/// Where in its pixel a sample lies, (0,0) top left to (1,1). Sample 0 is always the centre, so that a click shows the
+/// same tree in both modes. The others follow the R2 sequence (M. Roberts, "The unreasonable effectiveness of
 /// quasirandom sequences", 2018), shifted at random per pixel.
 inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample) {
     if (mode == SampleMode::point || sample == 0) return {0.5, 0.5};
-    constexpr double step_x = 0.7548776662466927;   // 1/p, p^3 = p + 1
-    constexpr double step_y = 0.5698402909980532;   // 1/p^2
+    constexpr double step_x = 0.7548776662466927;  // 1/p, p^3 = p + 1
+    constexpr double step_y = 0.5698402909980532;  // 1/p^2
     const RandomKey key{seed, pixel, 0, 0};
     const double x = random_unit(key, 0) + step_x * static_cast<double>(sample);
     const double y = random_unit(key, 1) + step_y * static_cast<double>(sample);

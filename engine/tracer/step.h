@@ -56,8 +56,8 @@ inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>&
         out.side[out.count] = side;
         Node& child = out.node[out.count++];
         child.wave.kind = WaveKind::pair;
-        child.wave.ray =
-            ray * (1.5 - 0.5 * length2(ray));  // one Newton step towards |ray| = 1: no drift over 1e5 bounces
+        // One Newton step towards |ray| = 1: no drift over 1e5 bounces.
+        child.wave.ray = ray * (1.5 - 0.5 * length2(ray));
         child.wave.k = child.wave.ray * n;
         child.wave.field[0] = s;
         child.wave.field[1] = cross(child.wave.ray, s);

@@ -184,7 +184,8 @@ private:
         if constexpr (anisotropic) {
             const Dielectric<double>& d = medium.dielectric;
             if (node.wave.kind != WaveKind::pair)
-                alpha = mode_absorption(medium.absorption, d.n, d.n_e, d.axis, node.wave.field[0], node.wave.k, node.wave.ray);
+                alpha = mode_absorption(medium.absorption, d.n, d.n_e, d.axis, node.wave.field[0], node.wave.k,
+                                        node.wave.ray);
         }
         const double lost = node.weight * -std::expm1(-alpha * crossing.distance);
         result_.absorbed += lost;
@@ -217,7 +218,8 @@ private:
         }
         if (const auto* role = std::get_if<SheetRole>(&surface.role)) {
             if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);
-            children_.node[0] = through_sheet(node, role->sheet, Left{crossing.body, crossing.facet, crossing.triangle});
+            children_.node[0] =
+                through_sheet(node, role->sheet, Left{crossing.body, crossing.facet, crossing.triangle});
             children_.count = 1;
             result_.absorbed += node.weight - children_.node[0].weight;
             adopt_children(node, [](int) { return Interaction::sheet; });
@@ -281,8 +283,9 @@ private:
         return open;
     }
 
-    /// One random path stands for all open branches: chosen with probability w / open at the root and at every branching, and
-    /// rescaled so that it always weighs `open`. Its estimate then never exceeds open * L_max (performance.md 4, row 3).
+    /// One random path stands for all open branches: chosen with probability w / open at the root and at every
+    /// branching, and rescaled so that it always weighs `open`. Its estimate then never exceeds open * L_max
+    /// (performance.md 4, row 3).
     void follow_tail(const TraceTask& task, double open) {
         std::uint32_t dimension = first_tail_dimension;
         double pick = random_unit(task.key, dimension++) * open;

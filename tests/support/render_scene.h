@@ -42,14 +42,18 @@ inline StokesImage render(const std::shared_ptr<const Plan>& plan, int threads =
     return renderer.snapshot();
 }
 
-inline StokesImage render(const Scene& scene) { return render(plan_of(scene)); }
+inline StokesImage render(const Scene& scene) {
+    return render(plan_of(scene));
+}
 
 /// A one-pixel picture of the scene: the ray from the camera to its target, at the scene's first wavelength.
 inline Stokes<double> look(Scene scene) {
     scene.render.width = scene.render.height = 1;
     return render(scene).at(0, 0);
 }
-inline Stokes<double> look(const std::string& yaml) { return look(scene_of(yaml)); }
+inline Stokes<double> look(const std::string& yaml) {
+    return look(scene_of(yaml));
+}
 
 /// The tree of that ray.
 inline Explanation explain_look(Scene scene) {
