@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The explanation of a pixel is that pixel: same kernel, same bits.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "render/render_pass.h"
+#include "support/shipped_scenes.h"
+
+namespace pol {
+namespace {
+
+class ExplainedScene : public testing::TestWithParam<std::string> {};
+
+std::string name_of(const testing::TestParamInfo<std::string>& parameter) {
+    return test::test_name(parameter.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExplainedScene, testing::ValuesIn(test::shipped_scene_names()), name_of);
+
+TEST_P(ExplainedScene, LeavesAddUpToTheRenderedPixelToTheLastBit) {
+    const auto plan = test::plan_of(test::small(test::shipped_scene(GetParam()), 12));
+    const StokesImage image = test::render(plan, 2, 16);
+    for (int y = 0; y < 12; y += 2)
+        for (int x = 0; x < 12; ++x) {
+            const Explanation e = explain(*plan, x, y, 0, 0);
+            ASSERT_TRUE(e.exact()) << x << "," << y;
+            ASSERT_EQ(e.leaf_sum, image.at(0, image.pixel(x, y))) << x << "," << y;
+            ASSERT_EQ(e.result.residual, image.plane_value(image.residual, 0, image.pixel(x, y)));
+            ASSERT_EQ(e.result.tail, image.plane_value(image.tail, 0, image.pixel(x, y)));
+        }
+}
+
+// Sample k of a pixel in area mode, rendered as a pass of its own, against its explanation.
+TEST_P(ExplainedScene, AnySampleOfAnAreaPictureIsExplainedToTheLastBit) {
+    Scene scene = test::small(test::shipped_scene(GetParam()), 8);
+    scene.render.mode = SampleMode::area;
+    scene.render.samples_per_pixel = 64;
+    const auto plan = test::plan_of(scene);
+    const auto tracer = make_pass_tracer(*plan);
+    const std::atomic<bool> never{false};
+    for (const std::uint32_t sample : {0U, 1U, 5U, 63U}) {
+        TileBuffer buffer;
+        buffer.rect = {2, 3, 5, 6};
+        tracer->trace(sample, sample + 1, never, buffer);
+        std::size_t i = 0;
+        for (int y = 3; y < 6; ++y)
+            for (int x = 2; x < 5; ++x, ++i) {
+                const Explanation e = explain(*plan, x, y, sample, 0);
+                ASSERT_TRUE(e.exact());
+                ASSERT_EQ(e.leaf_sum, buffer.stokes[i]) << sample << ": " << x << "," << y;
+            }
+    }
+}
+
+// Every wavelength of a dispersive scene has a tree of its own; without dispersion all share one.
+TEST(Explain, EveryWavelengthOfAPixelAddsUpToTheLastBit) {
+    for (const char* index : {"n-bk7", "1.5"}) {
+        Scene scene = test::scene_of(std::string(R"(
+camera: {position: [1.6, -3, 2.2], target: [0, 0, -0.1], fov: 28}
+render: {size: [6, 6], wavelengths: [450, 550, 650]}
+media: {glass: )") + index + R"(}
+objects:
+  - {name: cube, shape: {box: {size: 1}}, medium: glass}
+  - {name: light, shape: {rectangle: {size: 2.4}}, transform: [{translate: [0, 0, -0.6]}], emission: {radiance: {d65: 1}}}
+)");
+        const auto plan = test::plan_of(scene);
+        const StokesImage image = test::render(plan);
+        for (int w = 0; w < 3; ++w)
+            for (int x = 0; x < 6; ++x) {
+                const Explanation e = explain(*plan, x, 3, 0, w);
+                ASSERT_TRUE(e.exact());
+                ASSERT_EQ(e.leaf_sum, image.at(static_cast<std::size_t>(w), image.pixel(x, 3))) << index << " " << w;
+            }
+    }
+}
+
+}  // namespace
+}  // namespace pol

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The random path that ends a tree when its node budget is used up: unbiased, and never brighter than what it stands
+// for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/shipped_scenes.h"
+#include "tracer/observers.h"
+#include "tracer/sample_task.h"
+
+namespace pol {
+namespace {
+
+/// A crystal prism over a bright card under a dim sky: every ray splits, and the leaves differ in brightness. Its faces
+/// are not parallel and its indices low, so that no light is trapped and a deep tree comes to an end.
+Scene prism(int node_budget) {
+    Scene scene = test::scene_of(R"(
+camera: {position: [1.6, -3, 2.2], target: [0, 0, -0.1], fov: 28}
+background: 0.2
+render: {size: [9, 9], residual: 1e-9}
+media: {crystal: {ordinary: 1.4, extraordinary: 1.25, axis: [1, 2, 3]}}
+objects:
+  - {name: prism, shape: {extrusion: {polygon: [[-0.7, -0.5], [0.6, -0.6], [0.4, 0.7]], height: 0.9}}, medium: crystal,
+     transform: [{rotate: {axis: [1, 1, 0], angle: 17}}]}
+  - {name: card, shape: {rectangle: {size: 2.4}}, transform: [{translate: [0, 0, -0.8]}], emission: {radiance: 1}}
+)");
+    scene.render.node_budget = node_budget;
+    return scene;
+}
+
+struct Spread {
+    double mean = 0.0;
+    double of_mean = 0.0;  ///< standard error of the mean
+};
+
+Spread spread(const std::vector<double>& values) {
+    const auto n = static_cast<double>(values.size());
+    double sum = 0.0;
+    for (const double v : values) sum += v;
+    const double mean = sum / n;
+    double squares = 0.0;
+    for (const double v : values) squares += (v - mean) * (v - mean);
+    return {mean, std::sqrt(squares / (n - 1.0) / n)};
+}
+
+// Mean of 4000 random tails against a tree that is followed to its end. 5 sigma: with 4 components of 4 pixels,
+// false alarms once in 1e5 changes of the random numbers. The reference is itself off by its open share, at most 1e-6.
+TEST(Tail, EstimatesTheRestOfTheTreeWithoutBias) {
+    const auto shallow = test::plan_of(prism(5));
+    const auto deep = test::plan_of(prism(60000));
+    Silent silent;
+    Tracer<true, false, Silent> shallow_tracer(*shallow, silent);
+    Tracer<true, false, Silent> deep_tracer(*deep, silent);
+    constexpr double Stokes<double>::*components[] = {&Stokes<double>::s0, &Stokes<double>::s1, &Stokes<double>::s2,
+                                                      &Stokes<double>::s3};
+    for (const int x : {2, 3, 4, 5}) {
+        Stokes<double> truth;
+        const TraceResult reference = deep_tracer.trace(sample_task(*deep, x, 5, 0, 0), {&truth, 1});
+        const double unknown = (reference.residual + 2.0 * reference.tail) * deep->brightest[0];
+        std::vector<std::vector<double>> values(4);
+        double tails = 0.0;
+        for (std::uint32_t k = 0; k < 4000; ++k) {
+            Stokes<double> light;
+            const TraceResult r = shallow_tracer.trace(sample_task(*shallow, x, 5, k, 0), {&light, 1});
+            tails += r.tail;
+            for (std::size_t c = 0; c < 4; ++c) values[c].push_back(light.*components[c]);
+        }
+        EXPECT_GT(tails / 4000.0, 0.02) << "pixel " << x << " has no tail to speak of";
+        for (std::size_t c = 0; c < 4; ++c) {
+            const Spread s = spread(values[c]);
+            EXPECT_LE(std::abs(s.mean - truth.*components[c]), 5.0 * s.of_mean + unknown)
+                << "S" << c << " of pixel " << x << ": " << s.mean << " +- " << s.of_mean;
+            EXPECT_LT(unknown, 1e-6);
+        }
+    }
+}
+
+// The tail always weighs what was open, so its light has S0 <= open x L_max; rounding of some 1000 rescalings: 1e-13.
+TEST(Tail, IsNeverBrighterThanAllThatWasOpen) {
+    for (const int budget : {1, 5, 40}) {
+        const auto plan = test::plan_of(prism(budget));
+        int tails = 0;
+        for (std::uint32_t k = 0; k < 40; ++k)
+            for (const int x : {2, 4, 6}) {
+                const Explanation e = explain(*plan, x, 5, k, 0);
+                double estimated = 0.0;
+                for (const int leaf : e.tree.leaves) {
+                    const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(leaf)];
+                    if (node.estimated && !node.light.empty()) estimated += node.light[0].s0;
+                }
+                ASSERT_LE(estimated, e.result.tail * plan->brightest[0] * (1.0 + 1e-13)) << budget << ", sample " << k;
+                if (estimated > 0.0) ++tails;
+            }
+        EXPECT_GT(tails, 20) << budget;
+    }
+}
+
+// Samples of a pixel in point mode share ray and head, but not the tail: their mean is what the renderer stores.
+TEST(Tail, OfARenderedPixelDiffersFromSampleToSample) {
+    Scene scene = prism(5);
+    const StokesImage one = test::render(scene);
+    scene.render.seed = 1;
+    const StokesImage other = test::render(scene);
+    int different = 0;
+    for (std::size_t p = 0; p < one.pixel_count(); ++p)
+        if (!(one.at(0, p) == other.at(0, p))) ++different;
+    EXPECT_GT(different, 5);
+}
+
+}  // namespace
+}  // namespace pol
