@@ -96,8 +96,8 @@ RenderSettings read_render(const YamlValue& value) {
         render.mode = mode->choice({"point", "area"}) == "area" ? SampleMode::area : SampleMode::point;
     }
     if (const auto spp = map.find("spp")) render.samples_per_pixel = spp->whole();
+    if (const auto depth = map.find("depth")) render.cut_by_depth_alone(depth->whole());
     if (const auto residual = map.find("residual")) render.residual = residual->number();
-    if (const auto depth = map.find("depth")) render.depth = depth->whole();
     if (const auto budget = map.find("node_budget")) render.node_budget = budget->whole();
     if (const auto seed = map.find("seed")) render.seed = seed->natural64();
     return render;

@@ -57,6 +57,15 @@ struct RenderSettings {
     std::optional<int> depth;  ///< the paper's depth limit; none: cut by energy alone
     int node_budget = 1000;    ///< branches a sample may follow before its random tail
     std::uint64_t seed = 0;
+    /// The paper's mode: the depth alone cuts the tree. Residual and node budget can be set again afterwards.
+    void cut_by_depth_alone(int limit) {
+        depth = limit;
+        residual = 0.0;
+        node_budget = whole_tree;  // crystals make up to 3^9 = 19683 leaves at the paper's depth of 9
+    }
+
+    static constexpr int whole_tree = 1 << 24;
+
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
