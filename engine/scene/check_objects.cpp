@@ -93,7 +93,8 @@ void check_filled_mesh(SceneCheck& check, const Shape& shape, const std::string&
     if (mesh == nullptr || mesh->mesh == nullptr || check.failed()) return;
     const Result<Done> closed = check_closed(*mesh->mesh);
     if (!closed)
-        check.require(false, field, "is not the surface of a solid: " + closed.error().what, closed.error().hint);
+        check.require(false, field, mesh->path + " is not the surface of a solid: " + closed.error().what,
+                      closed.error().hint);
 }
 
 void check_transform(SceneCheck& check, const DMat4& to_world, const std::string& field) {
