@@ -107,7 +107,8 @@ Result<std::vector<std::string>> share_channels(const std::vector<std::string>& 
     for (const auto& [wavelength, name] : stokes) {
         const auto channel = found.find(wavelength);
         if (channel == found.end()) {
-            return input_error(fmt::format("channel {}.{} is missing", layer, wavelength_suffix(wavelength)));
+            return input_error(fmt::format("channel {}.{} is missing", layer, wavelength_suffix(wavelength)),
+                               "render it again");
         }
         channels.push_back(channel->second);
     }
@@ -291,12 +292,15 @@ Result<StokesImage> read_picture(Imf::InputFile& file) {
 
 std::optional<Error> file_problem(const std::filesystem::path& path) {
     std::error_code status;
-    if (!std::filesystem::exists(path, status)) return input_error("there is no such file");
-    if (std::filesystem::is_directory(path, status)) return input_error("is a folder, not an EXR file");
-    if (!std::filesystem::is_regular_file(path, status)) return input_error("is not a regular file");
+    if (!std::filesystem::exists(path, status))
+        return input_error("there is no such file", "check the path and its spelling");
+    if (std::filesystem::is_directory(path, status))
+        return input_error("is a folder, not an EXR file", "name a picture in it");
+    if (!std::filesystem::is_regular_file(path, status)) return input_error("is not a regular file", "check the path");
     if (!std::ifstream(path, std::ios::binary)) return input_error("cannot be read", "check its permissions");
-    if (std::filesystem::file_size(path, status) == 0) return input_error("is empty");
-    if (!Imf::isOpenExrFile(path.c_str())) return input_error("is not an EXR file");
+    if (std::filesystem::file_size(path, status) == 0) return input_error("is empty", "render it again");
+    if (!Imf::isOpenExrFile(path.c_str()))
+        return input_error("is not an EXR file", "name a picture that polariscope render wrote");
     return std::nullopt;
 }
 
@@ -318,9 +322,10 @@ Result<StokesImage> read_exr(const std::filesystem::path& path) {
         if (!image) return located(image.error());
         return image;
     } catch (const std::bad_alloc&) {
-        return located(input_error("is too large for the memory of this machine"));
+        return located(input_error("is too large for the memory of this machine", "look at it on a larger one"));
     } catch (const std::exception& exception) {
-        return located(input_error(fmt::format("is damaged or truncated: {}", exception.what())));
+        return located(
+            input_error(fmt::format("is damaged or truncated: {}", exception.what()), "copy or render it again"));
     }
 }
 

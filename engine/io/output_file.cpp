@@ -27,6 +27,13 @@ std::string reason(int error_number) {
     return std::generic_category().message(error_number);
 }
 
+Error unwritable(const fs::path& path, int error_number) {
+    const bool no_space = error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG;
+    return output_error(path, fmt::format("cannot be written: {}", reason(error_number)),
+                        no_space ? "free some space; an older file of this name is as it was"
+                                 : "check the permissions of its folder, or choose another");
+}
+
 /// Process id in ".NAME.PID-N.tmp"; 0 if `file_name` has another form.
 pid_t writer_of(std::string_view file_name, std::string_view prefix) {
     constexpr std::string_view suffix = ".tmp";
@@ -83,7 +90,7 @@ Result<std::unique_ptr<OutputFile>> OutputFile::create(const fs::path& path) {
     stream->target = fs::is_symlink(path, status) ? fs::weakly_canonical(path, status) : path;
     const std::string name = stream->target.filename().string();
     if (name.empty() || fs::is_directory(stream->target, status))
-        return output_error(path, "is a folder, not a file name");
+        return output_error(path, "is a folder, not a file name", "name a file in it");
     if (fs::exists(stream->target, status) && !fs::is_regular_file(stream->target, status)) {
         return output_error(path, "is not a regular file", "name a file that may be replaced");
     }
@@ -101,14 +108,14 @@ Result<std::unique_ptr<OutputFile>> OutputFile::create(const fs::path& path) {
         temporary = stream->folder / fmt::format("{}{}-{}.tmp", prefix, ::getpid(), serial);
         descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     }
-    if (descriptor < 0) return output_error(path, fmt::format("cannot be written: {}", reason(errno)));
+    if (descriptor < 0) return unwritable(path, errno);
     stream->temporary = temporary;
     stream->file = ::fdopen(descriptor, "wb");
     if (stream->file == nullptr) {
         const int error_number = errno;
         ::close(descriptor);
         ::unlink(temporary.c_str());
-        return output_error(path, fmt::format("cannot be written: {}", reason(error_number)));
+        return unwritable(path, error_number);
     }
     return std::unique_ptr<OutputFile>(new OutputFile(std::move(stream)));
 }
@@ -139,10 +146,10 @@ Result<Done> OutputFile::commit() {
     stream_->file = nullptr;
     stream_->note(closed == 0);
     if (stream_->first_error != 0) {
-        return output_error(stream_->target, fmt::format("cannot be written: {}", reason(stream_->first_error)));
+        return unwritable(stream_->target, stream_->first_error);
     }
     if (::rename(stream_->temporary.c_str(), stream_->target.c_str()) != 0) {
-        return output_error(stream_->target, fmt::format("cannot be written: {}", reason(errno)));
+        return unwritable(stream_->target, errno);
     }
     stream_->temporary.clear();
     sync_folder(stream_->folder);
