@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/explain_report.h"
+#include "cli/report.h"
 #include "cli/scene_options.h"
 #include "tracer/explain.h"
 
@@ -19,7 +20,7 @@ namespace {
 struct ExplainRequest {
     SceneOptions scene;
     std::vector<int> pixel;
-    std::uint32_t sample = 0;
+    int sample = 0;
     std::optional<double> wavelength_nm;
     double least_share = 1e-3;
     bool json = false;
@@ -52,9 +53,16 @@ int run(const ExplainRequest& request) {
                        {},
                        "--pixel",
                        fmt::format("0,0 (top left) to {},{}", plan.settings.width - 1, plan.settings.height - 1)});
+    if (request.sample < 0 || request.sample >= plan.settings.samples_per_pixel)
+        return report(
+            {ErrorKind::usage,
+             fmt::format("there is no sample {}: a pixel has {}", request.sample, plan.settings.samples_per_pixel),
+             {},
+             "--sample",
+             "they count from 0; --spp says how many there are"});
     const auto wavelength = wavelength_index(plan, request.wavelength_nm);
     if (!wavelength) return report(wavelength.error());
-    const Explanation explanation = explain(plan, x, y, request.sample, wavelength.value());
+    const Explanation explanation = explain(plan, x, y, static_cast<std::uint32_t>(request.sample), wavelength.value());
     fmt::print("{}", request.json ? explanation_as_json(plan, explanation)
                                   : explanation_as_text(plan, explanation, request.least_share));
     constexpr int self_check_failed = 5;

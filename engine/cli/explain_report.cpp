@@ -286,7 +286,7 @@ std::string explanation_as_json(const Plan& plan, const Explanation& e) {
     out["leaves"] = e.tree.leaves;
     out["nodes"] = Json::array();
     for (int i = 0; i < static_cast<int>(e.tree.nodes.size()); ++i) out["nodes"].push_back(json_of(plan, e, i));
-    return out.dump(1) + "\n";
+    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace pol

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cli/interface_cases.h"
+#include "cli/report.h"
 #include "core/units.h"
 #include "io/assets.h"
 #include "io/index_file.h"
@@ -188,14 +189,17 @@ Result<Done> run_table(const Request& request) {
                            "polariscope interface --from air --to 1.5 --angle 30");
     }
     if (!(request.angle_deg >= 0.0 && request.angle_deg < 90.0)) {
-        return usage_error("--angle", fmt::format("{} is not from 0 to below 90 degrees", request.angle_deg));
+        return usage_error("--angle", fmt::format("{} is not from 0 to below 90 degrees", request.angle_deg),
+                           "for example 30");
     }
     if (!(request.wavelength_nm > 0.0 && std::isfinite(request.wavelength_nm))) {
-        return usage_error("--wavelength", fmt::format("{} is no wavelength in nm", request.wavelength_nm));
+        return usage_error("--wavelength", fmt::format("{} is no wavelength in nm", request.wavelength_nm),
+                           "for example 589.3");
     }
     const auto from = medium(request.from, request.from_axis, request.wavelength_nm, "--from", "--from-axis");
     if (!from) return from.error();
-    if (from.value().kind == MediumKind::conductor) return usage_error("--from", "light does not come out of a metal");
+    if (from.value().kind == MediumKind::conductor)
+        return usage_error("--from", "light does not come out of a metal", "exchange --from and --to");
     const auto to = medium(request.to, request.to_axis, request.wavelength_nm, "--to", "--axis");
     if (!to) return to.error();
     const double angle = radians(request.angle_deg);
@@ -206,11 +210,13 @@ Result<Done> run_table(const Request& request) {
 /// Answers every line that can be answered, complains about the others, and fails if there were any.
 Result<Done> run_cases(const std::string& path) {
     std::error_code failed;
-    if (fs::is_directory(path, failed)) return Error{ErrorKind::input, "is a folder, not a file", Place{path}};
+    const char* hint = "name a file of JSON lines, or - for standard input";
+    if (fs::is_directory(path, failed))
+        return Error{ErrorKind::input, "is a folder, not a file", Place{path}, {}, hint};
     std::ifstream file;
     if (path != "-") {
         file.open(path);
-        if (!file) return Error{ErrorKind::input, "cannot be opened", Place{path}};
+        if (!file) return Error{ErrorKind::input, "cannot be opened", Place{path}, {}, hint};
     }
     std::istream& lines = path == "-" ? std::cin : file;
     int number = 0;
@@ -226,23 +232,17 @@ Result<Done> run_cases(const std::string& path) {
         ++bad;
         Error error = interface.error();
         error.place = Place{path, number};
-        fmt::print(stderr, "polariscope interface: {}\n", to_string(error));
+        report(error);
     }
-    if (lines.bad()) return Error{ErrorKind::input, "cannot be read to its end", Place{path, number}};
+    if (lines.bad())
+        return Error{ErrorKind::input, "cannot be read to its end", Place{path, number}, {}, "is the disk in order?"};
     if (bad > 0)
-        return Error{ErrorKind::input, fmt::format("{} of {} lines could not be used", bad, number), Place{path}};
+        return Error{ErrorKind::input,
+                     fmt::format("{} of {} lines could not be used", bad, number),
+                     Place{path},
+                     {},
+                     "see above; the other lines are answered"};
     return Done{};
-}
-
-/// fmt throws where standard output cannot be written.
-Result<Done> run(const Request& request) {
-    try {
-        const Result<Done> done = request.cases.empty() ? run_table(request) : run_cases(request.cases);
-        if (std::fflush(stdout) != 0) return Error{ErrorKind::output, "standard output cannot be written"};
-        return done;
-    } catch (const std::system_error& error) {
-        return Error{ErrorKind::output, fmt::format("standard output cannot be written: {}", error.what())};
-    }
 }
 
 constexpr const char* footer =
@@ -281,9 +281,8 @@ void add_interface_command(CLI::App& app, int& exit_code) {
     command->add_option("--cases", request->cases, "JSON lines, one interface each; - is standard input");
     command->footer(footer);
     command->callback([request, &exit_code] {
-        const Result<Done> done = run(*request);
-        exit_code = done ? 0 : static_cast<int>(done.error().kind);
-        if (!done) fmt::print(stderr, "polariscope interface: {}\n", to_string(done.error()));
+        const Result<Done> done = request->cases.empty() ? run_table(*request) : run_cases(request->cases);
+        exit_code = done ? 0 : report(done.error());
     });
 }
 

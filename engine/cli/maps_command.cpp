@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/report.h"
 #include "io/exr_file.h"
 #include "io/map_picture.h"
 #include "io/png_file.h"
@@ -120,6 +121,9 @@ Result<Done> run(const Request& request) {
     if (!wanted) return wanted.error();
     const Result<MapOptions> options = wanted_options(request);
     if (!options) return options.error();
+    if (request.map != "all") {
+        if (const auto problem = output_problem(request.output, ".png", {request.input})) return *problem;
+    }
     const Result<StokesImage> image = read_exr(request.input);
     if (!image) return image.error();
     const Result<std::size_t> wavelength = wanted_wavelength(image.value(), request.wavelength_nm);
@@ -184,8 +188,7 @@ void add_maps_command(CLI::App& app, int& exit_code) {
     command->footer(footer());
     command->callback([request, &exit_code] {
         const Result<Done> done = run(*request);
-        exit_code = done ? 0 : static_cast<int>(done.error().kind);
-        if (!done) fmt::print(stderr, "polariscope maps: {}\n", to_string(done.error()));
+        exit_code = done ? 0 : report(done.error());
     });
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/report.h"
 #include "cli/scene_options.h"
 
 namespace pol {
@@ -44,7 +45,7 @@ void print_json(const Plan& plan) {
         for (const int member : region.members) entry["inside"].push_back(plan.solid(member).name);
         out["regions"].push_back(entry);
     }
-    fmt::print("{}\n", out.dump(2));
+    fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 int run(const PlanRequest& request) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,10 +14,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/progress_line.h"
+#include "cli/report.h"
 #include "cli/scene_options.h"
 #include "io/exr_file.h"
 #include "io/output_file.h"
 #include "io/scene_hash.h"
+#include "plan/compile.h"
 #include "render/renderer.h"
 
 namespace pol {
@@ -55,53 +57,36 @@ double cpu_seconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-std::string time_text(double seconds) {
-    if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-    return fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
-/// One line on stdout, rewritten in place on a terminal, else a new line whenever a tenth more is done.
-class ProgressLine {
-public:
-    explicit ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
-
-    void show(double done, double elapsed) {
-        if (quiet_) return;
-        if (!terminal_ && done < shown_ + 0.1) return;
-        shown_ = done;
-        const double remaining = done > 0.0 ? elapsed / done - elapsed : 0.0;
-        const std::string text = done > 0.0 && done < 1.0 ? ", " + time_text(remaining) + " left" : "";
-        fmt::print("{}progress {:.1f}%{}{}", terminal_ ? "\r\033[K" : "", 100.0 * done, text, terminal_ ? "" : "\n");
-        std::fflush(stdout);
-    }
-
-    void finish() {
-        if (!quiet_ && terminal_) fmt::print("\n");
-    }
-
-private:
-    bool quiet_;
-    bool terminal_;
-    double shown_ = -1.0;
-};
-
 enum class Stop { samples, time_limit, signal };
 
-Stop run_to_stop(Renderer& renderer, const RenderRequest& request, Clock::time_point start) {
-    ProgressLine line(request.quiet);
+struct Outcome {
     Stop stop = Stop::samples;
+    double done = 0.0;     ///< share of the samples asked for
+    double seconds = 0.0;  ///< from start to stop, without pauses
+};
+
+/// `open_ended`: samples are asked for as long as there is time.
+Outcome run_to_stop(Renderer& renderer, const RenderRequest& request, bool open_ended) {
+    constexpr double look_every_s = 0.1;
+    // Only a suspended program (Ctrl-Z, a sleeping computer) comes back this late.
+    constexpr double pause_from_s = 1.0;
+    ProgressLine line(request.quiet);
+    Outcome outcome;
+    auto last = Clock::now();
     for (;;) {
-        double wait = 0.1;
-        if (request.seconds) wait = std::clamp(*request.seconds - seconds_since(start), 0.0, wait);
+        double wait = look_every_s;
+        if (request.seconds) wait = std::clamp(*request.seconds - outcome.seconds, 0.0, wait);
         const bool finished = renderer.wait_for(wait);
-        const bool open_ended = request.seconds && !request.scene.samples;
-        const double elapsed = seconds_since(start);
-        line.show(open_ended ? std::min(1.0, elapsed / *request.seconds) : renderer.progress().done, elapsed);
+        const auto now = Clock::now();
+        const double passed = std::chrono::duration<double>(now - last).count();
+        last = now;
+        outcome.seconds += passed > wait + pause_from_s ? wait : passed;
+        outcome.done = renderer.progress().done;
+        line.show(open_ended ? std::min(1.0, outcome.seconds / *request.seconds) : outcome.done, outcome.seconds);
         if (finished) break;
-        if (caught_signal != 0) stop = Stop::signal;
-        if (request.seconds && elapsed >= *request.seconds) stop = Stop::time_limit;
-        if (stop != Stop::samples) {
+        if (caught_signal != 0) outcome.stop = Stop::signal;
+        if (request.seconds && outcome.seconds >= *request.seconds) outcome.stop = Stop::time_limit;
+        if (outcome.stop != Stop::samples) {
             renderer.cancel();
             while (!renderer.wait_for(1.0)) {
             }
@@ -109,7 +94,7 @@ Stop run_to_stop(Renderer& renderer, const RenderRequest& request, Clock::time_p
         }
     }
     line.finish();
-    return stop;
+    return outcome;
 }
 
 std::string settings_text(const RenderSettings& s) {
@@ -173,14 +158,57 @@ Result<Done> write_statistics(const RenderRequest& request, const LoadedPlan& lo
     out["stop_reason"] = stop_reason;
     auto file = OutputFile::create(request.statistics);
     if (!file) return file.error();
-    const std::string text = out.dump(2) + "\n";
+    const std::string text = out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     file.value()->write(text.data(), text.size());
     return file.value()->commit();
 }
 
-int run(const RenderRequest& request) {
+/// An hour of work must not end at a missing folder: what speaks against the outputs is found out first.
+std::optional<Error> unusable_output(const RenderRequest& request) {
+    if (auto problem = output_problem(request.output, ".exr", {request.scene.scene})) return problem;
+    if (request.statistics.empty()) {
+        auto probe = OutputFile::create(request.output);
+        return probe ? std::nullopt : std::optional(probe.error());
+    }
+    if (auto problem = output_problem(request.statistics, "", {request.scene.scene, request.output})) return problem;
+    for (const std::string& path : {request.output, request.statistics})
+        if (auto probe = OutputFile::create(path); !probe) return probe.error();
+    return std::nullopt;
+}
+
+/// Says on stdout what was made, and on stderr what is wrong with it; returns the exit code.
+int conclude(const RenderRequest& request, const Outcome& outcome, bool open_ended, const RenderStatistics& statistics,
+             const StokesImage& image) {
     constexpr int self_check_failed = 5;
     constexpr int stopped_by_time = 10;
+    if (!request.quiet) {
+        const double largest =
+            image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
+        fmt::print("{}: {}x{}, {} wavelength{}, {}, {} rays, untraced at most {:.2g} % of a pixel\n",
+                   printable(request.output), image.width, image.height, image.wavelengths_nm.size(),
+                   image.wavelengths_nm.size() == 1 ? "" : "s", duration_text(outcome.seconds),
+                   count_text(statistics.nodes), 100.0 * largest);
+    }
+    if (outcome.stop == Stop::signal || (outcome.stop == Stop::time_limit && !open_ended)) {
+        const std::string share =
+            open_ended ? "what was done" : fmt::format("{:.3g} % of the samples", 100.0 * outcome.done);
+        fmt::print(stderr, "polariscope: {} after {}; {} holds {}\n",
+                   outcome.stop == Stop::signal ? "stopped" : "the time limit came", duration_text(outcome.seconds),
+                   printable(request.output), share);
+    }
+    if (statistics.failures > 0) {
+        fmt::print(stderr,
+                   "polariscope: self-check failed in {} of {} samples (energy, not-a-number or a leaking solid)\n"
+                   "  hint: the picture is written; its channel 'failures' counts them per pixel\n",
+                   statistics.failures, statistics.samples);
+        return self_check_failed;
+    }
+    if (outcome.stop == Stop::signal) return 128 + static_cast<int>(caught_signal);
+    if (outcome.stop == Stop::time_limit && !open_ended) return stopped_by_time;
+    return 0;
+}
+
+int run(const RenderRequest& request) {
     if (request.threads && (*request.threads < 1 || *request.threads > 1024))
         return report(
             {ErrorKind::usage, fmt::format("{} threads cannot work", *request.threads), {}, "--threads", "1 to 1024"});
@@ -191,16 +219,16 @@ int run(const RenderRequest& request) {
                        "--time",
                        "a positive number of seconds"});
     const auto load_start = Clock::now();
-    SceneOptions scene_options = request.scene;
-    // With a time limit alone, samples go on until it ends.
-    if (request.seconds && !request.scene.samples) scene_options.samples = 1 << 24;
-    auto loaded = load_plan(scene_options);
-    if (!loaded) return report(loaded.error());
-    // An hour of work must not end at a missing folder: try the output first.
-    for (const std::string& path : {request.output, request.statistics}) {
-        if (path.empty()) continue;
-        if (auto probe = OutputFile::create(path); !probe) return report(probe.error());
-    }
+    auto scene = load_scene_with(request.scene);
+    if (!scene) return report(scene.error());
+    RenderSettings& settings = scene.value().render;
+    // All samples of a point are the same ray.
+    const bool open_ended = request.seconds && !request.scene.samples && settings.mode == SampleMode::area;
+    if (open_ended) settings.samples_per_pixel = 1 << 24;
+    auto plan = compile(scene.value());
+    if (!plan) return report(plan.error());
+    const LoadedPlan loaded{std::move(scene).value(), std::move(plan).value()};
+    if (const auto problem = unusable_output(request)) return report(*problem);
     Timing timing;
     timing.load_s = seconds_since(load_start);
 
@@ -208,45 +236,28 @@ int run(const RenderRequest& request) {
     std::signal(SIGTERM, remember_signal);
     const int threads = request.threads.value_or(hardware_threads());
     Renderer renderer(threads);
-    const auto start = Clock::now();
     const double cpu_start = cpu_seconds();
-    renderer.start(loaded.value().plan);
-    const Stop stop = run_to_stop(renderer, request, start);
-    timing.render_wall_s = seconds_since(start);
+    renderer.start(loaded.plan);
+    const Outcome outcome = run_to_stop(renderer, request, open_ended);
+    timing.render_wall_s = outcome.seconds;
     timing.render_cpu_s = cpu_seconds() - cpu_start;
 
     const auto output_start = Clock::now();
     StokesImage image = renderer.snapshot();
     image.attributes["scene"] = std::filesystem::path(request.scene.scene).filename().string();
-    image.attributes["scene_hash"] = scene_hash(loaded.value().scene);
-    image.attributes["settings"] = settings_text(loaded.value().plan->settings);
+    image.attributes["scene_hash"] = scene_hash(loaded.scene);
+    image.attributes["settings"] = settings_text(loaded.plan->settings);
     if (auto written = write_exr(image, request.output); !written) return report(written.error());
     timing.output_s = seconds_since(output_start);
 
-    const std::string reason = stop == Stop::samples ? "samples" : stop == Stop::time_limit ? "time" : "signal";
     if (!request.statistics.empty()) {
-        const auto written = write_statistics(request, loaded.value(), renderer, image, timing, threads, reason);
+        const std::string reason = outcome.stop == Stop::samples      ? "samples"
+                                   : outcome.stop == Stop::time_limit ? "time"
+                                                                      : "signal";
+        const auto written = write_statistics(request, loaded, renderer, image, timing, threads, reason);
         if (!written) return report(written.error());
     }
-    const RenderStatistics statistics = renderer.progress().statistics;
-    if (!request.quiet) {
-        const double largest =
-            image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
-        fmt::print("{}: {}x{}, {} wavelength{}, {:.2f} s, {:.3g} M rays, untraced at most {:.2g} of a pixel\n",
-                   request.output, image.width, image.height, image.wavelengths_nm.size(),
-                   image.wavelengths_nm.size() == 1 ? "" : "s", timing.render_wall_s,
-                   1e-6 * static_cast<double>(statistics.nodes), largest);
-    }
-    if (statistics.failures > 0) {
-        fmt::print(stderr,
-                   "polariscope: self-check failed in {} of {} samples (energy, not-a-number or a leaking solid)\n"
-                   "  hint: the picture is written; its channel 'failures' counts them per pixel\n",
-                   statistics.failures, statistics.samples);
-        return self_check_failed;
-    }
-    if (stop == Stop::signal) return 128 + static_cast<int>(caught_signal);
-    if (stop == Stop::time_limit && request.scene.samples) return stopped_by_time;
-    return 0;
+    return conclude(request, outcome, open_ended, renderer.progress().statistics, image);
 }
 
 }  // namespace
@@ -256,14 +267,18 @@ void add_render_command(CLI::App& app, int& exit_code) {
     CLI::App* command =
         app.add_subcommand("render", "Trace a scene and write the Stokes vectors of every pixel to an OpenEXR file");
     add_scene_options(*command, request->scene);
-    command->add_option("-o,--output", request->output, "OpenEXR file to write")->required();
+    command->add_option("-o,--output", request->output, "OpenEXR file to write, NAME.exr")->required();
     command->add_option("--threads", request->threads,
                         "Worker threads; the picture does not depend on it (default: all cores)");
-    command->add_option("--time", request->seconds, "Stop after this many seconds and write what is there");
+    command->add_option("--time", request->seconds,
+                        "Stop after this many seconds and write what is there; in mode area without --spp, "
+                        "add samples until then");
     command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file");
     command->add_flag("--quiet", request->quiet, "Print errors only");
     command->footer(
-        "Ctrl-C stops, writes what is there and exits with 130.\n"
+        "Ctrl-C stops, writes what is there and exits with 130 (SIGTERM: 143). Ctrl-Z pauses, fg goes on; a pause "
+        "counts\n"
+        "neither for --time nor for the time left.\n"
         "\nExamples:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr --wavelengths 380:780:20\n"
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"

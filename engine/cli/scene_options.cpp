@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "io/scene_file.h"
@@ -15,6 +14,18 @@
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {
+
+namespace {
+
+/// CLI11 would take -1 for 2^64 - 1, and any larger number, too.
+std::string seed_problem(const std::string& text) {
+    std::uint64_t value = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (status == std::errc() && end == text.data() + text.size()) return {};
+    return fmt::format("'{}' is no whole number from 0 to 2^64 - 1", text);
+}
+
+}  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
     command.add_option("SCENE", options.scene, "Scene file (YAML, see assets/scenes/README.md)")->required();
@@ -30,7 +41,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
                        "Branches to follow before one random path stands for the rest");
     command.add_option("--wavelengths", options.wavelengths,
                        "Vacuum wavelengths in nm: 580, 450,550,650 or 380:780:20");
-    command.add_option("--seed", options.seed, "Seed of the random numbers");
+    command.add_option("--seed", options.seed, "Seed of the random numbers")->check(seed_problem);
 }
 
 namespace {
@@ -55,9 +66,6 @@ Result<Done> set_size(std::string_view text, RenderSettings& settings) {
 
 /// Two gigapixels would already need 100 GB.
 constexpr std::int64_t most_pixels = std::int64_t{1} << 31U;
-
-/// With the paper's depth limit the tree is to be whole: crystals make 3^9 = 19683 leaves at its depth of 9.
-constexpr int whole_tree = 1 << 24;
 
 }  // namespace
 
@@ -84,9 +92,7 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
     }
     if (options.depth) {
         if (*options.depth < 0) return usage("--depth", fmt::format("{} is no depth", *options.depth), "0 or more");
-        settings.depth = options.depth;
-        settings.residual = 0.0;
-        settings.node_budget = whole_tree;
+        settings.cut_by_depth_alone(*options.depth);
     }
     if (options.residual) {
         if (!(*options.residual >= 0.0) || *options.residual > 1.0)
@@ -101,7 +107,7 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
     }
     if (options.wavelengths) {
         auto wavelengths = parse_wavelengths(*options.wavelengths);
-        if (!wavelengths) return wavelengths.error();
+        if (!wavelengths) return usage("--wavelengths", wavelengths.error().what, wavelengths.error().hint);
         settings.wavelengths_nm = std::move(wavelengths).value();
     }
     if (options.seed) settings.seed = *options.seed;
@@ -116,11 +122,6 @@ Result<LoadedPlan> load_plan(const SceneOptions& options) {
     auto plan = compile(scene.value());
     if (!plan) return plan.error();
     return LoadedPlan{std::move(scene).value(), std::move(plan).value()};
-}
-
-int report(const Error& error) {
-    fmt::print(stderr, "polariscope: {}\n", to_string(error));
-    return static_cast<int>(error.kind);
 }
 
 }  // namespace pol

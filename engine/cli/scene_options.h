@@ -43,7 +43,4 @@ struct LoadedPlan {
 };
 Result<LoadedPlan> load_plan(const SceneOptions& options);
 
-/// Prints the error to stderr and returns its exit code.
-int report(const Error& error);
-
 }  // namespace pol

@@ -63,7 +63,7 @@ def obj(corners, faces):
 BAD_MESHES = [
     ("a hole", obj(CUBE_CORNERS, CUBE_FACES[:-1]), "hole"),
     ("inside out", obj(CUBE_CORNERS, [face[::-1] for face in CUBE_FACES]), "inside out"),
-    ("one face turned", obj(CUBE_CORNERS, CUBE_FACES[:-1] + [CUBE_FACES[-1][::-1]]), "triangle 10"),
+    ("one face turned", obj(CUBE_CORNERS, CUBE_FACES[:-1] + [CUBE_FACES[-1][::-1]]), "triangles"),
     ("a degenerate face", obj(CUBE_CORNERS, CUBE_FACES + [(1, 1, 2)]), "triangle 12"),
     ("a non-manifold edge", obj(CUBE_CORNERS + [(2, 2, 2)], CUBE_FACES + [(1, 2, 9)]), "edge"),
     ("no such corner", obj(CUBE_CORNERS, CUBE_FACES[:-1] + [(2, 4, 8, 99)]), "face 5"),
@@ -108,7 +108,7 @@ class BadScenes(ProgramTest):
         done = self.run_program("render", "scene.yaml", "-o", "out.exr", **as_nobody)
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("scene.yaml: ", done.stderr)
-        self.assertIn("permission", done.stderr.lower())
+        self.assertIn("check that you may read it", done.stderr)
 
     def test_binary_and_endless_nesting_are_no_scenes(self):
         for content in (b"\x7fELF\x02\x01\x01\0\0\0", b"[" * 100_000, b"{a: " * 50_000, os.urandom(1000), b"\xff\xfe\0"):

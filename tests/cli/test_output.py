@@ -46,9 +46,9 @@ class Refusals(ProgramTest):
         self.refuse(2, ["good.png"], "maps", "good.png.exr", "--map", "dop", "-o", "good.png")
 
     def test_a_picture_gets_the_ending_of_its_format(self):
-        self.refuse(2, ["out.png", "maps"], "render", GLASS, "-o", "out.png", "--size", "8x8")
+        self.refuse(2, ["out.png", ".exr"], "render", GLASS, "-o", "out.png", "--size", "8x8")
         self.succeed("render", GLASS, "-o", "good.EXR", "--size", "8x8", "--quiet")
-        self.refuse(2, ["dop.exr"], "maps", "good.EXR", "--map", "dop", "-o", "dop.exr")
+        self.refuse(2, ["dop.exr", ".png"], "maps", "good.EXR", "--map", "dop", "-o", "dop.exr")
 
     def test_a_full_disk_leaves_the_old_file_and_nothing_else(self):
         self.write("out.exr", "old")
@@ -78,24 +78,24 @@ class Refusals(ProgramTest):
 
 
 class Kills(ProgramTest):
-    COMMAND = (GLASS, "-o", "out.exr", "--size", "256x256", "--wavelengths", "500:700:10", "--quiet")
+    COMMAND = (GLASS, "-o", "out.exr", "--wavelengths", "500:700:10", "--quiet", "--size")
 
     def temporaries(self):
         return [name for name in os.listdir(self.folder) if name.endswith(".tmp")]
 
     def test_a_kill_leaves_the_old_picture_or_the_new_one(self):
         began = time.monotonic()
-        self.succeed("render", *self.COMMAND)
+        self.succeed("render", *self.COMMAND, "256x256")
         duration = time.monotonic() - began
         new = (self.folder / "out.exr").read_bytes()
-        self.succeed("render", *self.COMMAND, "--seed", "1", "--size", "16x16")
+        self.succeed("render", *self.COMMAND, "16x16")
         old = (self.folder / "out.exr").read_bytes()
         self.assertNotEqual(old, new)
         moments = random.Random(1)
         during_writing = 0
         for attempt in range(20):
             self.write("out.exr", old)
-            process = self.start_program("render", *self.COMMAND)
+            process = self.start_program("render", *self.COMMAND, "256x256")
             if attempt % 2 == 0:
                 time.sleep(duration * moments.uniform(0.0, 1.1))
             else:  # as soon as there is a piece of the new file
@@ -107,7 +107,7 @@ class Kills(ProgramTest):
             during_writing += bool(self.pieces())
             self.assertIn((self.folder / "out.exr").read_bytes(), (old, new))
         self.assertGreater(during_writing, 0, "no kill came while the file was being written")
-        self.succeed("render", *self.COMMAND)
+        self.succeed("render", *self.COMMAND, "256x256")
         self.assertEqual((self.folder / "out.exr").read_bytes(), new)
         self.assertEqual(os.listdir(self.folder), ["out.exr"], "leftovers of the killed are removed")
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+#include "cli/report.h"
+
+namespace pol {
+
+namespace {
+
+constexpr const char* erase_line = "\r\033[K";
+
+/// Below a second the rest is done before it is read.
+std::string time_left(double done, double elapsed) {
+    if (done <= 0.0 || done >= 1.0) return {};
+    const double seconds = elapsed / done - elapsed;
+    return fmt::format(", {} left", seconds < 1.0 ? "less than 1 s" : duration_text(seconds));
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+void ProgressLine::show(double done, double elapsed) {
+    if (quiet_ || (!terminal_ && done < shown_ + 0.1)) return;
+    shown_ = done;
+    fmt::print("{}progress {:.1f}%{}{}", terminal_ ? erase_line : "", 100.0 * done, time_left(done, elapsed),
+               terminal_ ? "" : "\n");
+    std::fflush(stdout);
+}
+
+void ProgressLine::finish() {
+    if (!quiet_ && terminal_) fmt::print("{}", erase_line);
+}
+
+}  // namespace pol

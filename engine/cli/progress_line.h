@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace pol {
+
+/// How far a render is, on stdout: one line that is rewritten in place on a terminal, else a new line whenever a tenth
+/// more is done, so that logs stay short. "progress 37.5%, 2 min 10 s left".
+class ProgressLine {
+public:
+    explicit ProgressLine(bool quiet);
+
+    /// `done` from 0 to 1 after `elapsed` seconds; the time left assumes that the rest is as hard as what is done.
+    void show(double done, double elapsed);
+
+    /// Frees the line for what follows: on a terminal it disappears.
+    void finish();
+
+private:
+    bool quiet_;
+    bool terminal_;
+    double shown_ = -1.0;
+};
+
+}  // namespace pol
