@@ -3,6 +3,7 @@
 
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -59,6 +60,11 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(done.stdout, "")
         self.assertEqual(self.files(), before, "a refusal writes nothing")
         return done.stderr
+
+    def png_size(self, name):
+        content = (self.folder / name).read_bytes()
+        self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
+        return struct.unpack(">II", content[16:24])
 
     def files(self):
         """All files below the folder with their bytes, hidden ones included."""

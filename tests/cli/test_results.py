@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""From a scene to pictures and reports: what the commands hand to people and to other programs."""
+
+import json
+import math
+import re
+import unittest
+
+from program import REPOSITORY, SCENES, ProgramTest, main
+
+GLASS = SCENES / "cube-glass.yaml"
+CALCITE = SCENES / "cube-calcite.yaml"
+STATISTICS = """tool tool_version kernel_features precision threads scene scene_hash width height mode wavelengths_nm
+    trees_per_sample spp residual_target depth_limit seed t_load_s t_render_wall_s t_render_cpu_s t_output_s camera_samples
+    rays nodes_mean nodes_max residual_mean residual_max tail_mean brightest energy_defect_max failures
+    film_bytes_per_pixel stop_reason""".split()
+
+
+def strict_json(text):
+    """NaN and Infinity are no JSON."""
+    def refuse(word):
+        raise ValueError(word)
+    return json.loads(text, parse_constant=refuse)
+
+
+class Render(ProgramTest):
+    def test_the_picture_does_not_depend_on_the_number_of_threads(self):
+        for scene in (GLASS, CALCITE):
+            for threads in (1, 2, 7):
+                self.succeed("render", scene, "-o", f"{threads}.exr", "--size", "70x40", "--mode", "area", "--spp", "2",
+                             "--wavelengths", "450,580", "--node-budget", "200", "--threads", threads, "--quiet")
+            files = self.files()
+            self.assertEqual(files["1.exr"], files["2.exr"])
+            self.assertEqual(files["1.exr"], files["7.exr"])
+
+    def test_statistics_say_what_was_done(self):
+        self.succeed("render", GLASS, "-o", "out.exr", "--size", "20x10", "--mode", "area", "--spp", "3", "--seed", "7",
+                     "--residual", "1e-4", "--wavelengths", "380:780:20", "--threads", "2", "--stats", "s.json")
+        statistics = strict_json((self.folder / "s.json").read_text())
+        self.assertEqual(list(statistics), STATISTICS)
+        said = {"width": 20, "height": 10, "mode": "area", "spp": 3, "seed": 7, "threads": 2, "residual_target": 1e-4,
+                "depth_limit": None, "camera_samples": 20 * 10 * 3, "failures": 0, "stop_reason": "samples"}
+        self.assertEqual({key: statistics[key] for key in said}, said)
+        self.assertEqual(statistics["wavelengths_nm"], list(range(380, 781, 20)))
+        self.assertGreaterEqual(statistics["rays"], statistics["camera_samples"])
+        self.assertLessEqual(statistics["residual_max"], 1e-4)
+        self.assertLessEqual(statistics["energy_defect_max"], 1e-11)
+
+    def test_a_log_gets_few_lines_and_quiet_none(self):
+        lines = self.succeed("render", CALCITE, "-o", "out.exr", "--size", "96x96").splitlines()
+        self.assertLessEqual(len(lines), 12)
+        for line in lines[:-1]:
+            self.assertRegex(line, r"^progress \d+\.\d%(, .* left)?$")
+        self.assertRegex(lines[-1], r"^out\.exr: 96x96, 1 wavelength, .*s, .* rays, untraced at most .* % of a pixel$")
+        self.assertEqual(self.succeed("render", GLASS, "-o", "out.exr", "--size", "8x8", "--quiet"), "")
+
+    def test_extreme_sizes_make_pictures(self):
+        for size in ("1x1", "4096x1", "1x4096"):
+            with self.subTest(size):
+                self.succeed("render", GLASS, "-o", "out.exr", "--size", size, "--quiet")
+                self.succeed("maps", "out.exr", "--map", "dop", "-o", "dop.png", "--plain")
+                self.assertEqual(self.png_size("dop.png"), tuple(map(int, size.split("x"))))
+                self.succeed("maps", "out.exr", "--map", "dop", "-o", "dop.png")
+
+
+class Maps(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.succeed("render", CALCITE, "-o", "in.exr", "--size", "32x20", "--wavelengths", "450,580,650", "--node-budget",
+                     "100", "--quiet")
+        listed = self.succeed("maps", "--help").split("Maps:\n")[1].split("\n\n")[0]
+        self.names = re.findall(r"^  (\w+) ", listed, re.MULTILINE)
+
+    def test_every_map_of_the_help_becomes_a_picture(self):
+        for name in "color intensity dop dolp docp ellipticity azimuth handedness s1 s2 s3 residual".split():
+            self.assertIn(name, self.names)
+        self.names.remove("all")
+        for name in self.names:
+            with self.subTest(name):
+                self.succeed("maps", "in.exr", "--map", name, "-o", "map.png")
+                width, height = self.png_size("map.png")
+                self.assertTrue(200 <= width <= 2000 and 150 <= height <= 2000, (width, height))
+                self.succeed("maps", "in.exr", "--map", name, "-o", "map.png", "--plain", "--wavelength", "650")
+                self.assertEqual(self.png_size("map.png"), (32, 20))
+        self.succeed("maps", "in.exr", "--map", "all", "-o", "maps")
+        self.assertEqual({name for name in self.files() if name.startswith("maps")},
+                         {f"maps/{name}.png" for name in self.names})
+
+    def test_styles_differ_and_names_of_styles_are_those_of_the_help(self):
+        pictures = set()
+        for style in ("scientific", "paper", "wilkie"):
+            self.succeed("maps", "in.exr", "--map", "dop", "-o", "map.png", "--style", style, "--plain")
+            pictures.add((self.folder / "map.png").read_bytes())
+        self.assertEqual(len(pictures), 3)
+
+
+class Explain(ProgramTest):
+    def test_the_leaves_of_a_pixel_sum_to_it_to_the_last_bit(self):
+        for scene, pixels in ((GLASS, ("0,0", "16,16", "9,20")), (CALCITE, ("16,16", "20,11")),
+                              (SCENES / "crossed-polarizers.yaml", ("16,16",)), (SCENES / "metal-spheres.yaml", ("16,16",))):
+            for pixel in pixels:
+                with self.subTest(f"{scene.stem} {pixel}"):
+                    tree = strict_json(self.succeed("explain", scene, "--pixel", pixel, "--size", "32x32", "--json"))
+                    self.assertIs(tree["leaves_sum_to_sample"], True)
+                    self.assertEqual(tree["leaf_sum"], tree["stokes"])
+                    total = [0.0] * 4
+                    for leaf in tree["leaves"]:
+                        self.assertIn("ended", tree["nodes"][leaf])
+                        total = [a + b for a, b in zip(total, tree["nodes"][leaf]["share"])]
+                    self.assertEqual(total, tree["stokes"])
+                    energy = tree["resolved"] + tree["absorbed"] + tree["residual"] + tree["tail"]
+                    self.assertAlmostEqual(energy, 1.0, delta=1e-11)  # design.md 3.2
+                    s0, s1, s2, s3 = tree["stokes"]
+                    self.assertLessEqual(math.hypot(s1, s2, s3), s0 * (1 + 1e-12))
+                    low, high = tree["bounds"]["s0"]
+                    self.assertTrue(low <= s0 <= high)
+
+    def test_the_text_names_every_number_of_the_issue(self):
+        text = self.succeed("explain", CALCITE, "--pixel", "16,16", "--size", "32x32")
+        for word in ("coherence matrix", "frame", "S3", "polarization", "ellipticity", "azimuth", "handedness", "truth in",
+                     "to the last bit", "weight", "deg", "ray", "k (", "ends:"):
+            self.assertIn(word, text)
+
+
+class Interface(ProgramTest):
+    ORACLE = REPOSITORY / "tests" / "optics" / "data" / "oracle_vectors.jsonl"
+
+    @staticmethod
+    def powers(case):
+        """Summed over the incident modes, whose basis is a choice where they are a pair: {(side, wave): power}."""
+        sums = {}
+        for incident in case["incident"]:
+            for wave in incident.get("out", []):
+                key = wave["side"], {"s": "pair", "p": "pair"}.get(wave["label"], wave["label"])
+                sums[key] = sums.get(key, 0.0) + wave.get("power", 0.0)
+        return sums
+
+    def test_cases_are_answered_line_by_line_with_the_powers_of_the_oracle(self):
+        lines = self.ORACLE.read_text().splitlines()[::20]
+        self.write("cases.jsonl", "\n".join(lines) + "\n\n")
+        answers = self.succeed("interface", "--cases", "cases.jsonl").splitlines()
+        self.assertEqual(len(answers), len(lines))
+        for line, answer in zip(lines, answers):
+            expected, found = json.loads(line), strict_json(answer)
+            self.assertEqual(found["case"], expected["case"])
+            # The oracle's own change when its inputs move by an ulp, times the few roundings of a solve.
+            tolerance = 1e-13 + 64 * expected["ulp_sensitivity_mode"]
+            ours, theirs = self.powers(found), self.powers(expected)
+            for key in ours.keys() | theirs.keys():
+                self.assertAlmostEqual(ours.get(key, 0.0), theirs.get(key, 0.0), delta=tolerance,
+                                       msg=f"case {expected['case']} {key}")
+
+    def test_lines_that_cannot_be_used_are_named_and_the_others_answered(self):
+        good = '{"normal": [0,0,1], "wave_normal": [0,0,1], "medium1": {"type": "isotropic", "n": 1}, ' \
+               '"medium2": {"type": "isotropic", "n": 1.5}}'
+        self.write("cases.jsonl", f"{good}\nhello\n\n{good.replace('1.5', '-1')}\n{good.replace('[0,0,1], ', '', 1)}\n{good}")
+        done = self.run_program("interface", "--cases", "cases.jsonl")
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(len(done.stdout.splitlines()), 2)
+        for said in ("cases.jsonl:2: ", "cases.jsonl:4: medium2.n: ", "cases.jsonl:5: ", "3 of 6 lines"):
+            self.assertIn(said, done.stderr)
+        again = self.run_program("interface", "--cases", "-", input=good + "\n")
+        self.assertEqual(again.stdout, done.stdout.splitlines()[0] + "\n")
+
+    def test_the_table_has_the_textbook_numbers(self):
+        # Fresnel: at normal incidence on n = 1.5 a share of (0.5 / 2.5)^2 = 0.04 comes back; nothing of p at Brewster's
+        # angle atan(1.5).
+        table = self.succeed("interface", "--from", "air", "--to", "1.5")
+        self.assertEqual(len(re.findall(r"reflected +[sp] .* 0\.0400000000 ", table)), 2)
+        table = self.succeed("interface", "--from", "air", "--to", "1.5", "--angle", math.degrees(math.atan(1.5)))
+        self.assertRegex(table, r"reflected +p .* 0\.0000000000 ")
+
+
+class Plan(ProgramTest):
+    def test_json_lists_every_feature_with_its_reason(self):
+        plan = strict_json(self.succeed("plan", CALCITE, "--json", "--wavelengths", "380:780:20"))
+        self.assertEqual(len(plan["wavelengths_nm"]), 21)
+        self.assertEqual(plan["trees"], 21)  # calcite disperses
+        for feature in plan["features"]:
+            self.assertTrue(feature["name"] and feature["reason"])
+            self.assertIsInstance(feature["needed"], bool)
+        text = self.succeed("plan", CALCITE, "--wavelengths", "380:780:20")
+        for feature in plan["features"]:
+            self.assertIn(feature["reason"], text)
+
+    def test_what_does_not_disperse_is_traced_once(self):
+        plan = strict_json(self.succeed("plan", GLASS, "--json", "--wavelengths", "380:780:20"))
+        self.assertEqual(plan["trees"], 1)  # n = 1.5 throughout
+
+
+if __name__ == "__main__":
+    main()
