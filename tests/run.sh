@@ -70,7 +70,7 @@ run_tests() {
     [ $status -eq 0 ] || [ "$bad" -gt 0 ] || bad=1
     passed=$((passed + total - bad - skipped))
     failed=$((failed + bad))
-    [ $status -eq 0 ] || grep -vE ' Passed  |^    Start ' "$root/build/$1/ctest.log"
+    [ $status -eq 0 ] || grep -vE ' Passed  |^ *Start ' "$root/build/$1/ctest.log"
     say "$1: $((total - bad - skipped)) of $total tests passed, $bad failed, $skipped skipped"
     return $status
 }
@@ -94,8 +94,9 @@ step "packages" install_packages run test
 unrandomized=()
 setarch "$(uname -m)" -R true 2>/dev/null && unrandomized=(setarch "$(uname -m)" -R)
 export UBSAN_OPTIONS=print_stacktrace=1
-# Everything a test allocates is freed again; Embree, TBB and OpenEXR are clean too, so leaks are looked for.
+# Everything a test allocates is freed again, but for what leaks.txt names.
 export ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1
+export LSAN_OPTIONS=suppressions=$root/tests/support/leaks.txt:print_suppressions=0
 export TSAN_OPTIONS=second_deadlock_stack=1
 
 for name in "${steps[@]}"; do
