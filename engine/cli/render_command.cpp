@@ -184,7 +184,7 @@ int conclude(const RenderRequest& request, const Outcome& outcome, bool open_end
     if (!request.quiet) {
         const double largest =
             image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
-        fmt::print("{}: {}x{}, {} wavelength{}, {}, {} rays, untraced at most {:.2g} % of a pixel\n",
+        fmt::print("{}: {}x{}, {} wavelength{}, {}, {} rays, untraced at most {:.3g} % of a pixel\n",
                    printable(request.output), image.width, image.height, image.wavelengths_nm.size(),
                    image.wavelengths_nm.size() == 1 ? "" : "s", duration_text(outcome.seconds),
                    count_text(statistics.nodes), 100.0 * largest);
