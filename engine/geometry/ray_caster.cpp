@@ -95,9 +95,10 @@ Solid prepared(Mesh mesh, double largest) {
     return s;
 }
 
-// Whether a ray that has just left facet `left` runs inside the mesh; no facet: it starts inside.
+// Whether a ray that starts as `left` says runs inside the mesh.
 bool goes_inward(const Solid& solid, const LeftFacet& left, const DVec3& d) {
-    return left.facet < 0 || dot(solid.mesh.facets[static_cast<std::size_t>(left.facet)].normal, d) < 0.0;
+    if (left.facet < 0) return left.facet == LeftFacet::inside;
+    return dot(solid.mesh.facets[static_cast<std::size_t>(left.facet)].normal, d) < 0.0;
 }
 
 // One ray: the decision in double about every triangle that is offered.

@@ -21,10 +21,12 @@ struct MeshHit {
     double distance = 0.0;
 };
 
-/// The surface that a ray has just left: where its origin lies. Without a facet: the origin is inside the mesh.
+/// Where a ray starts with regard to one mesh: on a facet that it has just left, inside, or outside.
 struct LeftFacet {
+    static constexpr int inside = -1;   ///< for `facet`: in the interior of closed mesh `mesh`
+    static constexpr int outside = -2;  ///< for `facet`: not inside closed mesh `mesh`, though perhaps on its surface
     int mesh = -1;
-    int facet = -1;     ///< -1: none, the ray starts in the interior of closed mesh `mesh`
+    int facet = inside;
     int triangle = -1;  ///< as MeshHit gave it; -1 if unknown
 };
 

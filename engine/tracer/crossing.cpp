@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include "core/overloaded.h"
 
@@ -50,6 +51,38 @@ void meet_surface(const Plan& plan, int body, const DVec3& origin, const DVec3& 
                plan.surface(body).shape);
 }
 
+/// Meshes that share the face just left with another solid, and that the ray is outside of: its origin lies on them.
+void add_flush_meshes(const Plan& plan, const Region& region, const Left& left, std::vector<LeftFacet>& stands) {
+    for (const Contact& contact : plan.solid(left.body).contacts[static_cast<std::size_t>(left.facet)])
+        for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
+            if (region.caster_body[mesh] == contact.other_solid &&
+                !std::binary_search(region.members.begin(), region.members.end(), contact.other_solid))
+                stands.push_back({static_cast<int>(mesh), LeftFacet::outside, -1});
+}
+
+void meet_meshes(const Plan& plan, const Region& region, const DVec3& origin, const DVec3& direction, const Left& left,
+                 Crossing& nearest) {
+    // Where the ray stands with the meshes: on the facet it has just left, inside of some, outside of the rest.
+    std::array<LeftFacet, max_nested_meshes + 1> known{};
+    std::size_t count = 0;
+    for (const LeftFacet& inside : region.caster_inside)
+        if (region.caster_body[static_cast<std::size_t>(inside.mesh)] != left.body) known[count++] = inside;
+    for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
+        if (region.caster_body[mesh] == left.body) known[count++] = {static_cast<int>(mesh), left.facet, left.triangle};
+    std::span<const LeftFacet> stands(known.data(), count);
+    std::vector<LeftFacet> with_flush;
+    if (plan.is_solid(left.body) && !plan.solid(left.body).contacts.empty()) {
+        with_flush.assign(stands.begin(), stands.end());
+        add_flush_meshes(plan, region, left, with_flush);
+        stands = with_flush;
+    }
+    const auto hit = region.caster->nearest(origin, direction, stands);
+    if (!hit) return;
+    const int body = region.caster_body[static_cast<std::size_t>(hit->mesh)];
+    keep_nearer(nearest, hit->distance, body, hit->facet);
+    if (nearest.body == body) nearest.triangle = hit->triangle;
+}
+
 DVec3 normal_of(const Plan& plan, const Crossing& crossing, const DVec3& point) {
     const auto facet = static_cast<std::size_t>(crossing.facet);
     const Overloaded normal{
@@ -86,21 +119,7 @@ Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& orig
                        plan.solid(body).shape);
         keep_nearer(nearest, hit.distance, body, hit.facet);
     }
-    if (region.caster) {
-        // Where the ray stands with the meshes: on the facet it has just left, inside of some, outside of the rest.
-        std::array<LeftFacet, max_nested_meshes + 1> stands{};
-        std::size_t count = 0;
-        for (const LeftFacet& inside : region.caster_inside)
-            if (region.caster_body[static_cast<std::size_t>(inside.mesh)] != left.body) stands[count++] = inside;
-        for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
-            if (region.caster_body[mesh] == left.body)
-                stands[count++] = {static_cast<int>(mesh), left.facet, left.triangle};
-        if (const auto hit = region.caster->nearest(origin, direction, {stands.data(), count})) {
-            const int body = region.caster_body[static_cast<std::size_t>(hit->mesh)];
-            keep_nearer(nearest, hit->distance, body, hit->facet);
-            if (nearest.body == body) nearest.triangle = hit->triangle;
-        }
-    }
+    if (region.caster) meet_meshes(plan, region, origin, direction, left, nearest);
     if (nearest.body >= 0) nearest.normal = normal_of(plan, nearest, origin + direction * nearest.distance);
     return nearest;
 }
