@@ -67,6 +67,17 @@ class Refusals(ProgramTest):
             self.refuse(4, ["dop.png", "large"], "maps", "good.exr", "--map", "dop", "-o", "dop.png",
                         preexec_fn=at_most(1000), restore_signals=restore_signals)
 
+    def test_a_picture_beyond_all_memory_ends_with_33(self):
+        def limited():
+            resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+
+        if self.run_program("--version", preexec_fn=limited).returncode != 0:
+            self.skipTest("a sanitizer needs more address space than the limit")
+        done = self.run_program("render", GLASS, "-o", "out.exr", "--size", "46000x46000", preexec_fn=limited)
+        self.assertEqual(done.returncode, 33, done.stderr)
+        self.assertIn("memory", done.stderr)
+        self.assertEqual(self.files(), {})
+
     def test_standard_output_that_cannot_be_written_is_an_error(self):
         for command in (("plan", GLASS), ("plan", GLASS, "--json"), ("explain", GLASS, "--pixel", "9,9"),
                         ("interface", "--from", "air", "--to", "1.5"),
