@@ -184,10 +184,12 @@ int conclude(const RenderRequest& request, const Outcome& outcome, bool open_end
     if (!request.quiet) {
         const double largest =
             image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
-        fmt::print("{}: {}x{}, {} wavelength{}, {}, {} rays, untraced at most {:.3g} % of a pixel\n",
+        const double samples = static_cast<double>(statistics.samples) / static_cast<double>(image.pixel_count());
+        fmt::print("{}: {}x{}, {} wavelength{}, {}{}, {} rays, untraced at most {:.3g} % of a pixel\n",
                    printable(request.output), image.width, image.height, image.wavelengths_nm.size(),
-                   image.wavelengths_nm.size() == 1 ? "" : "s", duration_text(outcome.seconds),
-                   count_text(statistics.nodes), 100.0 * largest);
+                   image.wavelengths_nm.size() == 1 ? "" : "s",
+                   samples > 1.0 ? fmt::format("{:.1f} samples per pixel, ", samples) : "",
+                   duration_text(outcome.seconds), count_text(statistics.nodes), 100.0 * largest);
     }
     if (outcome.stop == Stop::signal || (outcome.stop == Stop::time_limit && !open_ended)) {
         const std::string share =
