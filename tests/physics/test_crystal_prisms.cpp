@@ -72,7 +72,7 @@ TEST(Prism, T27SendsOutTwoFullyPolarizedOrthogonalBeams) {
 
 /// Two prisms with a gap between faces that the light along -x meets at the angle `cut`. The gap lies across the plane
 /// z = 0 and is filled with `filling`, if any, which then touches both prisms.
-std::string glan(double cut, const DVec3& axis, const std::string& filling = "") {
+std::string glan(double cut, const DVec3& axis, const std::string& residual = "1e-9", const std::string& filling = "") {
     const double slope = std::tan(cut);
     const double half_gap = 0.001;
     const double length = slope + 0.5;
@@ -86,8 +86,8 @@ std::string glan(double cut, const DVec3& axis, const std::string& filling = "")
             "layer",
             {{-slope - half_gap, -1.0}, {-slope + half_gap, -1.0}, {slope + half_gap, 1.0}, {slope - half_gap, 1.0}},
             "filling");
-    return camera_in_plane({-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}) +
-           "render: {residual: 1e-9, node_budget: 200000}\nmedia: {crystal: " + calcite(axis) +
+    return camera_in_plane({-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}) + "render: {residual: " + residual +
+           ", node_budget: 200000}\nmedia: {crystal: " + calcite(axis) +
            (filling.empty() ? "" : ", filling: " + filling) + "}\nobjects:\n" + objects +
            lamp_in_plane({-1000.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 2.0);
 }
@@ -159,7 +159,7 @@ TEST(Glan, T28IsUsableBetweenTheTwoCriticalAngles) {
     EXPECT_NEAR(degrees(o_critical), 37.0844020, printed(7));
     EXPECT_NEAR(degrees(e_critical), 42.2809388, printed(7));
     const auto passes = [](double cut, const char* route) {
-        return find_branch(explain_look(scene_of(glan(cut, foucault))), route) != nullptr;
+        return find_branch(explain_look(scene_of(glan(cut, foucault, "0.01"))), route) != nullptr;
     };
     EXPECT_TRUE(passes(o_critical - 1e-12, "To T"));
     EXPECT_FALSE(passes(o_critical + 1e-12, "To T"));
@@ -171,7 +171,7 @@ TEST(Nicol, T28ReflectsTheOrdinaryRayTotallyAtCanadaBalsamAndNeverTheExtraordina
     const double critical = std::asin(1.55 / n_o);
     EXPECT_NEAR(degrees(critical), 69.1694, printed(4));  // physics.md prints 69.168
     for (const double side : {-1e-12, 1e-12}) {
-        const Explanation e = explain_look(scene_of(glan(critical + side, foucault, "1.55")));
+        const Explanation e = explain_look(scene_of(glan(critical + side, foucault, "0.01", "1.55")));
         EXPECT_EQ(find_branch(e, "To T") != nullptr, side < 0.0);
         // For e, with 1.4864, balsam is the denser medium: it always passes.
         const double face = 1.0 - ClosedFresnel(1.55 / n_e, critical + side).R_s();
