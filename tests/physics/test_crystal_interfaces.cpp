@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // physics.md T30 to T34 and T36 to T40: single faces of a crystal, crystals in contact, and conservation.
+#include "geometry/shapes.h"
 #include "io/index_file.h"
 #include "physics/crystal_scene.h"
+#include "support/shipped_scenes.h"
 
 namespace pol::test {
 namespace {
@@ -202,6 +204,43 @@ TEST(CrystalsInContact, T37CrossedLeaveLightUnpolarized) {
     const auto add = [](double r) { return r / (1.0 - r); };
     const double t = 1.0 / (1.0 + add(normal_reflectance(n_o)) + add(seam) + add(normal_reflectance(n_e)));
     expect_stokes(look(crossed_plates), {t, 0.0, 0.0, 0.0}, 1e-14 + 40.0 * surface_rounding);
+}
+
+// A plate with a distant box is no convex solid any more and goes to Embree. The ray meets the seam on the diagonal
+// between two triangles.
+TEST(CrystalsInContact, HaveOneInterfaceAlsoWhereTheyAreMeshes) {
+    const Stokes<double> exact = look(crossed_plates);
+    for (const auto& meshes : std::vector<std::vector<std::size_t>>{{0}, {1}, {0, 1}}) {
+        Scene scene = scene_of(crossed_plates);
+        for (const std::size_t object : meshes) {
+            Mesh far_box = make_mesh(BoxShape{{1.0, 1.0, 1.0}}).value();
+            for (DVec3& vertex : far_box.vertices) vertex += DVec3(20.0, 20.0 * static_cast<double>(object), 0.0);
+            const Mesh both = joined(make_mesh(scene.objects[object].shape).value(), far_box);
+            scene.objects[object].shape = MeshShape{"", std::make_shared<const Mesh>(both)};
+        }
+        ASSERT_TRUE(plan_of(scene)->features.meshes);
+        expect_stokes(look(scene), exact, 1e-14 + 40.0 * surface_rounding);
+        const Explanation e = explain_look(scene);
+        EXPECT_EQ(e.result.failures, 0U);
+        EXPECT_NEAR(kept(e, "To Te", "To"), 1.0 - seam, surface_rounding);
+    }
+}
+
+TEST(CrystalsInContact, AnInlayFlushWithItsHostIsMetFromOutsideAtOnce) {
+    const Explanation e = explain_look(scene_of(
+        camera_along(downward(0.0)) + "media: {glass: 1.5, crystal: " + calcite({1.0, 0.0, 0.0}) + "}\nobjects:\n" +
+        "  - {name: host, shape: {box: {size: [8, 8, 1]}}, transform: [{translate: [0, 0, -0.5]}], medium: glass, "
+        "priority: 0}\n" +
+        "  - {name: inlay, shape: {box: {size: [2, 2, 0.5]}}, transform: [{translate: [0, 0, -0.25]}], "
+        "medium: crystal, priority: 1}\n" +
+        lamp("lamp", {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0}, 20.0)));
+    const auto against_glass = [](double n) { return 1.0 - std::pow((n - 1.5) / (n + 1.5), 2); };
+    EXPECT_NEAR(share(e, "To"), 0.5 * (1.0 - normal_reflectance(n_o)), surface_rounding);
+    EXPECT_NEAR(share(e, "Te"), 0.5 * (1.0 - normal_reflectance(n_e)), surface_rounding);
+    EXPECT_NEAR(kept(e, "To T", "To"), against_glass(n_o), surface_rounding);
+    EXPECT_NEAR(kept(e, "Te T", "Te"), against_glass(n_e), surface_rounding);
+    EXPECT_NEAR(kept(e, "To T T", "To T"), 1.0 - normal_reflectance(1.5), surface_rounding);
+    EXPECT_NEAR(branch(e, "To T").end.origin.z, -1.0, 4.0 * eps);
 }
 
 /// A calcite jewel in uniform surroundings, as few pixels as show all of its facets.

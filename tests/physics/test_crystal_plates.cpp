@@ -248,6 +248,40 @@ TEST(TwoPlates, AsTwinsBringTheExtraordinaryRayBackWithoutAReflection) {
     EXPECT_NEAR(share(e, "Te Te"), share(e, "Te"), surface_rounding);
 }
 
+TEST(Plate, SendsEveryRayOutParallelToTheOneThatCameInOrToItsMirrorImage) {
+    const DVec3 in = downward(0.7);
+    const Explanation e =
+        explain_look(scene_of(camera_along(in) + "render: {depth: 6}\nmedia: {crystal: " + calcite({1.0, 2.0, 3.0}) +
+                              "}\nobjects:\n" + box("plate", {400.0, 400.0, 1.0}, {0.0, 0.0, -0.5}, "crystal")));
+    int out = 0;
+    for (const RayTreeNode& node : e.tree.nodes) {
+        if (node.interaction == Interaction::camera || node.start.wave.kind != WaveKind::pair) continue;
+        // Six surfaces, each good to a few eps.
+        EXPECT_LT(angle_between(node.start.wave.ray, node.start.wave.ray.z < 0.0 ? in : upward(0.7)), 32.0 * eps);
+        ++out;
+    }
+    EXPECT_EQ(out, 1 + 2 + 4 + 8 + 16 + 32);  // the reflection outside, then every second of twice as many each time
+}
+
+// Radiance inside a mode is N^2 times basic radiance, N^2 = dS_k/dOmega_ray with dS_k = k^2 dOmega_k/cos(walk-off)
+// (physics.md 2.3). tan(theta_ray) = (eps_o/eps_e) tan(theta_k) gives dOmega_ray/dOmega_k. The lamp swallows what is
+// reflected back to it, so there is one pass only.
+TEST(Plate, DimsALampInsideByTheSolidAngleThatItsModeGains) {
+    for (const double theta : {radians(20.0), radians(45.0), radians(80.0)}) {
+        const Stokes<double> s = look(camera_along(downward(0.0)) + "render: {residual: 1e-14}\nmedia: {crystal: " +
+                                      calcite({std::sin(theta), 0.0, std::cos(theta)}) + "}\nobjects:\n" +
+                                      plate("plate", "crystal") + lamp("lamp", {0.0, 0.0, -0.5}, {0.0, 0.0, 1.0}, 3.0));
+        const double ratio = eps_o / eps_e;
+        const double theta_ray = std::atan(ratio * std::tan(theta));
+        const double theta_slope = ratio / (std::pow(std::cos(theta), 2) + std::pow(ratio * std::sin(theta), 2));
+        const double solid_angles = std::sin(theta_ray) / std::sin(theta) * theta_slope;
+        const double n = e_index(theta);
+        const double n2 = n * n / (solid_angles * std::cos(theta_ray - theta));
+        EXPECT_NEAR(s.s0 - s.s1, (1.0 - normal_reflectance(n)) / n2, 2.0 * surface_rounding) << theta;
+        EXPECT_NEAR(s.s0 + s.s1, (1.0 - normal_reflectance(n_o)) / eps_o, surface_rounding) << theta;
+    }
+}
+
 // The wave normal inside is perpendicular to the axis, which is turned by 45 degrees from s: the plate splits light
 // into equal parts that do not interfere any more, however small its birefringence. Straight path alone: two surfaces.
 TEST(Plate, T35OfVanishingBirefringencePolarizesAsOneFaceDoesButGlassAsTwo) {
