@@ -59,8 +59,8 @@ std::vector<std::string_view> words(std::initializer_list<std::string_view> list
 
 }  // namespace
 
-YamlValue::YamlValue(YAML::Node node, const YamlFile& file, std::string path)
-    : node_(std::move(node)), file_(&file), path_(std::move(path)) {
+YamlValue::YamlValue(const YAML::Node& node, const YamlFile& file, std::string path)
+    : node_(node), file_(&file), path_(std::move(path)) {
     if (file_->places != nullptr) file_->places->insert_or_assign(path_, message_place());
 }
 

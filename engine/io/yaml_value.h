@@ -39,7 +39,7 @@ class YamlMap;
 /// One node of the document. Cheap to copy; refers to a YamlFile that must outlive it.
 class YamlValue {
 public:
-    YamlValue(YAML::Node node, const YamlFile& file, std::string path);
+    YamlValue(const YAML::Node& node, const YamlFile& file, std::string path);
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] SourcePlace place() const;
