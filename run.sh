@@ -10,11 +10,12 @@ Usage: ./run.sh [SCENE]
 
 Installs the Debian packages that are missing (needs root or sudo only for that), builds build/release/polariscope and
 renders SCENE, by default assets/scenes/paper-calcite-unpolarized.yaml, into ./out:
-  NAME.exr              Stokes vectors at 380:780:20 nm with the residual, for any EXR viewer
-  NAME-color.png        color, the spectrum seen by the CIE 1931 observer
+  NAME.exr              Stokes vectors at 580 nm with the residual, for any EXR viewer
   NAME-intensity.png    and -dop, -ellipticity, -azimuth, -residual: maps at 580 nm
-Past 100 nodes of a sample one random path stands for the rest, so that crystals in color take a minute, not an hour;
-"polariscope render" without that limit is more exact. A second call installs, builds and renders only what is new.
+  NAME-color.exr, .png  21 wavelengths, 380:780:20 nm, and the color that the CIE 1931 observer sees
+For color, one random path stands for what is left past 100 branches of a sample, so that crystals take a minute, not an
+hour; "polariscope render" without that limit is more exact.
+A second call installs, builds and renders only what is new.
 JOBS=N sets the number of compile jobs.
 
 Examples:
@@ -48,18 +49,24 @@ out_of_date() {
     [ ! -f "$1" ] || [ -n "$(find "$program" "$(dirname "$scene")" "$root/assets" -newer "$1" -print -quit)" ]
 }
 
-if out_of_date "$name.exr"; then
-    "$program" render "$scene" -o "$name.exr" --wavelengths 380:780:20 --node-budget 100
-fi
-# draw MAP [OPTION...]
-draw() {
-    if out_of_date "$name-$1.png"; then
-        "$program" maps "$name.exr" --map "$1" -o "$name-$1.png" "${@:2}"
+# render PICTURE OPTION...
+render() {
+    if out_of_date "$1"; then
+        "$program" render "$scene" -o "$1" "${@:2}"
     fi
-    say "$name-$1.png"
 }
+# draw EXR MAP
+draw() {
+    if out_of_date "$name-$2.png"; then
+        "$program" maps "$1" --map "$2" -o "$name-$2.png"
+    fi
+    say "$name-$2.png"
+}
+render "$name.exr" --wavelengths 580
 say "$name.exr"
-draw color
 for map in intensity dop ellipticity azimuth residual; do
-    draw "$map" --wavelength 580
+    draw "$name.exr" "$map"
 done
+render "$name-color.exr" --wavelengths 380:780:20 --node-budget 100
+say "$name-color.exr"
+draw "$name-color.exr" color
