@@ -60,7 +60,7 @@ std::string rhomb_scene(double n, double angle, const std::string& emission) {
     const RhombShape shape{angle, 1.0, 1.0};
     const double sin_beta = std::cos(angle);
     const double cos_beta = std::sin(angle);
-    // Two reflections between long faces `gap` apart: half of the axis from entrance to exit.
+    // As RhombShape is made: the middle of the exit face is half the length of the long faces along their direction.
     const double length = 2.0 * shape.aperture * cos_beta * cos_beta / sin_beta;
     const DVec3 exit(0.5 * length * cos_beta, 0.5 * length * sin_beta, 0.0);
     const DVec3 x(1.0, 0.0, 0.0);
