@@ -238,6 +238,8 @@ TEST(Reflection, T18AtNormalIncidenceExchangesRightAndLeft) {
 struct MetalFact {
     const char* record;
     double normal, dop, ellipticity, principal;  // physics.md T17, as printed
+    /// The name of the test case for CTest; the default would print the address of `record`.
+    friend void PrintTo(const MetalFact& fact, std::ostream* out) { *out << fact.record; }
 };
 
 class Metal : public testing::TestWithParam<MetalFact> {
