@@ -90,4 +90,42 @@ inline double angle_between(const DVec3& a, const DVec3& b) {
     return std::atan2(std::sqrt(length2(cross(a, b))), dot(a, b));
 }
 
+/// All passes of a plate: a residual of 1e-14 times radiance 1, and the rounding of a dozen passes that still matter.
+constexpr double all_passes = 1e-14 + 12.0 * surface_rounding;
+
+/// All incoherent passes of a plate of index n at normal incidence.
+inline double plate_transmittance(double n) {
+    return 2.0 * n / (n * n + 1.0);
+}
+
+/// Index of the e wave at the angle theta between wave normal and axis.
+inline double e_index(double theta) {
+    return 1.0 / std::sqrt(std::pow(std::cos(theta) / n_o, 2) + std::pow(std::sin(theta) / n_e, 2));
+}
+inline const double n_45 = e_index(radians(45.0));
+
+/// A plate 1 thick with its top in the plane z = 0, turned about z by `turn` degrees.
+inline std::string plate(const std::string& name, const std::string& medium, double top = 0.0, double turn = 0.0) {
+    return "  - {name: " + name +
+           ", shape: {box: {size: [4, 4, 1]}}, transform: [{rotate: {axis: [0, 0, 1], angle: " + text(turn) +
+           "}}, {translate: [0, 0, " + text(top - 0.5) + "]}], medium: " + medium + "}\n";
+}
+
+/// A lamp of radiance 1 that shines upward, by default all that lies behind a plate.
+inline std::string lamp_below(double size = 20.0, const DVec3& place = {0.0, 0.0, -5.0}) {
+    return lamp("lamp", place, {0.0, 0.0, 1.0}, size);
+}
+
+/// A plate before a lamp, all passes. The camera's x axis is -y, its y axis is x.
+inline std::string plate_scene(const std::string& medium, const std::string& render = "{residual: 1e-14}",
+                               double i = 0.0) {
+    return camera_along(downward(i)) + "render: " + render + "\nmedia: {crystal: " + medium + "}\nobjects:\n" +
+           plate("plate", "crystal") + lamp_below();
+}
+
+/// Share of branch `child` in what its parent brought to the surface between them: R or T of that surface.
+inline double kept(const Explanation& e, const char* child, const char* parent) {
+    return share(e, child) / share(e, parent);
+}
+
 }  // namespace pol::test

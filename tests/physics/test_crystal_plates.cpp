@@ -1,40 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// physics.md T21 to T26 and T35: plane-parallel crystal plates, and plates that absorb one of their rays.
+// physics.md T21 to T25 and T35: plane-parallel crystal plates, and lamps in them.
 #include "physics/crystal_scene.h"
 
 namespace pol::test {
 namespace {
-
-// All passes of a plate: a residual of 1e-14 times radiance 1, and the rounding of a dozen passes that still matter.
-constexpr double all_passes = 1e-14 + 12.0 * surface_rounding;
-
-/// All incoherent passes of a plate of index n at normal incidence.
-double plate_transmittance(double n) {
-    return 2.0 * n / (n * n + 1.0);
-}
-
-/// Index of the e wave at the angle theta between wave normal and axis.
-double e_index(double theta) {
-    return 1.0 / std::sqrt(std::pow(std::cos(theta) / n_o, 2) + std::pow(std::sin(theta) / n_e, 2));
-}
-const double n_45 = e_index(radians(45.0));
-
-/// A plate 1 thick with its top in the plane z = 0, turned about z by `turn` degrees.
-std::string plate(const std::string& name, const std::string& medium, double top = 0.0, double turn = 0.0) {
-    return "  - {name: " + name +
-           ", shape: {box: {size: [4, 4, 1]}}, transform: [{rotate: {axis: [0, 0, 1], angle: " + text(turn) +
-           "}}, {translate: [0, 0, " + text(top - 0.5) + "]}], medium: " + medium + "}\n";
-}
-
-std::string lamp_below(double size = 20.0, const DVec3& place = {0.0, 0.0, -5.0}) {
-    return lamp("lamp", place, {0.0, 0.0, 1.0}, size);
-}
-
-/// A plate before a lamp, all passes. The camera's x axis is -y, its y axis is x.
-std::string plate_scene(const std::string& medium, const std::string& render = "{residual: 1e-14}", double i = 0.0) {
-    return camera_along(downward(i)) + "render: " + render + "\nmedia: {crystal: " + medium + "}\nobjects:\n" +
-           plate("plate", "crystal") + lamp_below();
-}
 
 TEST(Plate, T21CutAcrossItsAxisIsGlassOfTheOrdinaryIndexAtNormalIncidence) {
     const std::string yaml = plate_scene(calcite({0.0, 0.0, 1.0}));
@@ -182,72 +151,6 @@ TEST(Plate, T25BehindAnAnalyzerLosesTheImageThatTheAnalyzerCrosses) {
     }
 }
 
-/// Two plates with axes at 45 degrees to their faces, the lower one turned by `alpha`, `gap` between them.
-Explanation two_plates(double alpha, double gap) {
-    return explain_look(scene_of(camera_along(downward(0.0)) + "render: {residual: 1e-6}\nmedia: {crystal: " +
-                                 calcite({1.0, 0.0, 1.0}) + "}\nobjects:\n" + plate("upper", "crystal") +
-                                 plate("lower", "crystal", -1.0 - gap, degrees(alpha)) + lamp_below()));
-}
-
-TEST(TwoPlates, T26ThroughAirShareLightAsHuygensSaw) {
-    const double t_o = std::pow(1.0 - normal_reflectance(n_o), 2);
-    const double t_e = std::pow(1.0 - normal_reflectance(n_45), 2);
-    EXPECT_NEAR(t_o, 0.8810839, printed(7));
-    EXPECT_NEAR(t_e, 0.9052230, printed(7));
-    for (const double alpha : {0.0, 0.5, radians(30.0), radians(45.0), 1.3, radians(90.0)}) {
-        const Explanation e = two_plates(alpha, 0.3);
-        const double same = std::pow(std::cos(alpha), 2);
-        const double other = std::pow(std::sin(alpha), 2);
-        EXPECT_NEAR(share(e, "To T To T"), 0.5 * t_o * t_o * same, 4.0 * surface_rounding) << alpha;
-        EXPECT_NEAR(share(e, "Te T Te T"), 0.5 * t_e * t_e * same, 4.0 * surface_rounding) << alpha;
-        EXPECT_NEAR(share(e, "To T Te T"), 0.5 * t_o * t_e * other, 4.0 * surface_rounding) << alpha;
-        EXPECT_NEAR(share(e, "Te T To T"), 0.5 * t_e * t_o * other, 4.0 * surface_rounding) << alpha;
-    }
-}
-
-/// Share of an o (or e) wave that crosses from a plate with principal section along x into one turned by alpha, as o
-/// and as e. At normal incidence H_t = Y E_t, Y = n_o o o^T + n_45 e e^T with the two field directions, so that E_t = 2
-/// (Y1 + Y2)^-1 Y1 E_i.
-DVec2 contact_shares(double alpha, bool ordinary) {
-    const DVec2 e1(1.0, 0.0), o1(0.0, 1.0);
-    const DVec2 e2(std::cos(alpha), std::sin(alpha)), o2(-std::sin(alpha), std::cos(alpha));
-    const double index = ordinary ? n_o : n_45;
-    const double xx = n_45 + n_45 * e2.x * e2.x + n_o * o2.x * o2.x;
-    const double xy = n_45 * e2.x * e2.y + n_o * o2.x * o2.y;
-    const double yy = n_o + n_45 * e2.y * e2.y + n_o * o2.y * o2.y;
-    const DVec2 in = 2.0 * index * (ordinary ? o1 : e1);
-    const DVec2 t = DVec2(yy * in.x - xy * in.y, xx * in.y - xy * in.x) / (xx * yy - xy * xy);
-    return {n_o / index * std::pow(t.x * o2.x + t.y * o2.y, 2), n_45 / index * std::pow(t.x * e2.x + t.y * e2.y, 2)};
-}
-
-TEST(TwoPlates, T26InContactShareLightAsTheAdmittancesOfOneInterfaceSay) {
-    for (const double alpha : {0.5, radians(30.0), radians(45.0), 1.3}) {
-        const Explanation e = two_plates(alpha, 0.0);
-        const DVec2 from_o = contact_shares(alpha, true);
-        const DVec2 from_e = contact_shares(alpha, false);
-        EXPECT_NEAR(share(e, "To To") / share(e, "To"), from_o.x, 4.0 * surface_rounding) << alpha;
-        EXPECT_NEAR(share(e, "To Te") / share(e, "To"), from_o.y, 4.0 * surface_rounding) << alpha;
-        EXPECT_NEAR(share(e, "Te To") / share(e, "Te"), from_e.x, 4.0 * surface_rounding) << alpha;
-        EXPECT_NEAR(share(e, "Te Te") / share(e, "Te"), from_e.y, 4.0 * surface_rounding) << alpha;
-    }
-    const Explanation e = two_plates(radians(30.0), 0.0);
-    EXPECT_NEAR(share(e, "To To") / share(e, "To"), 0.7496875, printed(7));
-    EXPECT_NEAR(share(e, "To Te") / share(e, "To"), 0.2501042, printed(7));
-}
-
-// Axes mirrored in the seam: the sections coincide and k sees the same index, but the ray walks off the other way.
-TEST(TwoPlates, AsTwinsBringTheExtraordinaryRayBackWithoutAReflection) {
-    const Explanation e = two_plates(pi, 0.0);
-    const double radius = (eps_o - eps_e) / (eps_o + eps_e);
-    EXPECT_NEAR(branch(e, "Te").end.origin.x, radius, 16.0 * eps);
-    EXPECT_NEAR(branch(e, "Te Te").end.origin.x, 0.0, 32.0 * eps);
-    EXPECT_NEAR(branch(e, "Te Te").end.origin.z, -2.0, 8.0 * eps);
-    // Amplitudes of what is absent are rounding, shares their square.
-    for (const char* absent : {"Te Re", "Te Ro", "Te To", "To Re", "To Ro", "To Te"})
-        EXPECT_LT(share(e, absent), surface_rounding * surface_rounding) << absent;
-    EXPECT_NEAR(share(e, "Te Te"), share(e, "Te"), surface_rounding);
-}
-
 TEST(Plate, SendsEveryRayOutParallelToTheOneThatCameInOrToItsMirrorImage) {
     const DVec3 in = downward(0.7);
     const Explanation e =
@@ -327,52 +230,6 @@ objects:
     EXPECT_EQ(crystal.stokes, glass.stokes);
     EXPECT_EQ(crystal.residual, glass.residual);
     EXPECT_EQ(crystal.tail, glass.tail);
-}
-
-// E along the axis passes, E across it is swallowed: 1 - P is exp(-200). The absorbed share is what enters as o.
-TEST(Plate, OfTourmalineIsAPolarizer) {
-    const std::string yaml =
-        plate_scene("{ordinary: 1.640, extraordinary: 1.620, axis: [1, 0, 0], absorption_o: 200, absorption_e: 0}");
-    const double t_e = plate_transmittance(1.620);
-    const Stokes<double> s = look(yaml);
-    expect_stokes(s, {0.5 * t_e, -0.5 * t_e, 0.0, 0.0}, all_passes);
-    EXPECT_NEAR(measure(s).dop, 1.0, 4.0 * eps);
-    EXPECT_NEAR(explain_look(scene_of(yaml)).result.absorbed, 0.5 * (1.0 - normal_reflectance(1.640)), all_passes);
-}
-
-// The axis is across the plane of incidence: s is e with the plain index n_e and E along the axis, p is o. Each falls
-// as exp(-alpha l) over its own path l = 1/cos of its own angle of refraction.
-TEST(Plate, AbsorbsEachModeOverItsOwnPath) {
-    const double i = radians(50.0);
-    const double alpha_o = 0.7;
-    const double alpha_e = 0.2;
-    const Stokes<double> s =
-        look(plate_scene("{ordinary: 1.6584, extraordinary: 1.4864, axis: [0, 1, 0], "
-                         "absorption_o: 0.7, absorption_e: 0.2}",
-                         "{depth: 2}", i));
-    const auto path = [&](double n) { return 1.0 / std::cos(std::asin(std::sin(i) / n)); };
-    const double t_s = std::pow(1.0 - ClosedFresnel(n_e, i).R_s(), 2) * std::exp(-alpha_e * path(n_e));
-    const double t_p = std::pow(1.0 - ClosedFresnel(n_o, i).R_p(), 2) * std::exp(-alpha_o * path(n_o));
-    expect_stokes(s, {0.5 * (t_s + t_p), 0.5 * (t_s - t_p), 0.0, 0.0}, 4.0 * surface_rounding);
-}
-
-// Weak absorption makes the principal indices n + i alpha/(2 k0). To first order 1/n^2 = cos^2/n_o^2 + sin^2/n_e^2
-// gives alpha along the wave normal: n^3 (alpha_o cos^2/n_o^3 + alpha_e sin^2/n_e^3), whatever way the ray takes.
-TEST(Plate, AbsorbsTheExtraordinaryWaveByItsDepthAndDirection) {
-    const double theta = radians(35.0);
-    const Stokes<double> s = look(plate_scene(
-        "{ordinary: 1.6584, extraordinary: 1.4864, axis: " + text(DVec3(std::sin(theta), 0.0, std::cos(theta))) +
-        ", absorption_o: 0.7, absorption_e: 0.2}"));
-    const double n = e_index(theta);
-    const double alpha = std::pow(n, 3) * (0.7 * std::pow(std::cos(theta), 2) / std::pow(n_o, 3) +
-                                           0.2 * std::pow(std::sin(theta), 2) / std::pow(n_e, 3));
-    const auto passes = [](double index, double attenuation) {
-        const double r = normal_reflectance(index);
-        const double a = std::exp(-attenuation);
-        return (1.0 - r) * (1.0 - r) * a / (1.0 - r * r * a * a);
-    };
-    EXPECT_NEAR(s.s0 - s.s1, passes(n, alpha), 2.0 * all_passes);
-    EXPECT_NEAR(s.s0 + s.s1, passes(n_o, 0.7), 2.0 * all_passes);
 }
 
 }  // namespace
