@@ -182,14 +182,19 @@ int conclude(const RenderRequest& request, const Outcome& outcome, bool open_end
     constexpr int self_check_failed = 5;
     constexpr int stopped_by_time = 10;
     if (!request.quiet) {
-        const double largest =
-            image.residual.empty() ? 0.0 : *std::max_element(image.residual.begin(), image.residual.end());
+        const auto largest = [](const std::vector<double>& shares) {
+            return shares.empty() ? 0.0 : *std::max_element(shares.begin(), shares.end());
+        };
+        const std::string guessed = image.tail.empty() ? ""
+                                                       : fmt::format(", estimated by one random path at most {:.3g} %",
+                                                                     100.0 * largest(image.tail));
         const double samples = static_cast<double>(statistics.samples) / static_cast<double>(image.pixel_count());
-        fmt::print("{}: {}x{}, {} wavelength{}, {}{}, {} rays, untraced at most {:.3g} % of a pixel\n",
+        fmt::print("{}: {}x{}, {} wavelength{}, {}{}, {} rays, untraced at most {:.3g} % of a pixel{}\n",
                    printable(request.output), image.width, image.height, image.wavelengths_nm.size(),
                    image.wavelengths_nm.size() == 1 ? "" : "s",
                    samples > 1.0 ? fmt::format("{:.1f} samples per pixel, ", samples) : "",
-                   duration_text(outcome.seconds), count_text(statistics.nodes), 100.0 * largest);
+                   duration_text(outcome.seconds), count_text(statistics.nodes), 100.0 * largest(image.residual),
+                   guessed);
     }
     if (outcome.stop == Stop::signal || (outcome.stop == Stop::time_limit && !open_ended)) {
         const std::string share =
