@@ -52,7 +52,8 @@ class Render(ProgramTest):
         self.assertLessEqual(len(lines), 12)
         for line in lines[:-1]:
             self.assertRegex(line, r"^progress \d+\.\d%(, .* left)?$")
-        self.assertRegex(lines[-1], r"^out\.exr: 96x96, 1 wavelength, .*s, .* rays, untraced at most .* % of a pixel$")
+        self.assertRegex(lines[-1], r"^out\.exr: 96x96, 1 wavelength, .*s, .* rays, untraced at most [^ ]* % of a pixel"
+                         r"(, estimated by one random path at most [^ ]* %)?$")
         self.assertEqual(self.succeed("render", GLASS, "-o", "out.exr", "--size", "8x8", "--quiet"), "")
 
     def test_extreme_sizes_make_pictures(self):

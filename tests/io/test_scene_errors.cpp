@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -31,6 +32,9 @@ struct BadScene {
     const char* field;
     const char* what;
     const char* hint;
+
+    /// GoogleTest would print the bytes of the pointers: other test names in every run.
+    friend void PrintTo(const BadScene& bad, std::ostream* out) { *out << bad.story; }
 };
 
 std::string object(const std::string& rest) {
