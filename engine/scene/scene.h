@@ -61,10 +61,12 @@ struct RenderSettings {
     void cut_by_depth_alone(int limit) {
         depth = limit;
         residual = 0.0;
-        node_budget = whole_tree;  // crystals make up to 3^9 = 19683 leaves at the paper's depth of 9
+        node_budget = whole_tree;
     }
 
-    static constexpr int whole_tree = 1 << 24;
+    /// The paper's depth of 9 makes 3^9 = 19683 leaves in a crystal, 4^9 = 262144 in a twin. Deeper trees than this
+    /// many branches end in a random tail all the same: a branch takes 250 bytes of every thread.
+    static constexpr int whole_tree = 1 << 20;
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
