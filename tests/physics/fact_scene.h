@@ -126,6 +126,8 @@ inline std::vector<const RayTreeNode*> path(const Explanation& explanation, cons
     if (branches.empty()) throw std::runtime_error("no light came along " + letters);
     return branches;
 }
+/// The branches point into the explanation: it must not be a temporary.
+std::vector<const RayTreeNode*> path(Explanation&&, const std::string&) = delete;
 
 /// What the only path with that route brings to the pixel.
 inline Stokes<double> light_along(const Explanation& explanation, const std::string& letters) {

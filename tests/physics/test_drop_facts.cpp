@@ -21,7 +21,8 @@ Explanation drop(double i) {
 
 /// Angle between the line of sight and the direction away from the sun, for light reflected once inside.
 double rainbow_radius(double i) {
-    const auto branches = path(drop(i), "TRT");
+    const Explanation explanation = drop(i);
+    const auto branches = path(explanation, "TRT");
     const DVec3 sight = branches.front()->start.wave.ray;
     const DVec3 shadow = -branches.back()->start.wave.ray;
     return std::atan2(std::sqrt(length2(cross(sight, shadow))), dot(sight, shadow));
