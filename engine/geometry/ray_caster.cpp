@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Long because proposing in float and deciding in double share the state of one query.
 #include "geometry/ray_caster.h"
 
 #include <embree3/rtcore.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Long because it is one drawing: picture, bar, wheel, ticks and legend are placed against each other.
 #include "io/map_picture.h"
 
 #include <cairo.h>

@@ -11,6 +11,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
+#include "geometry/geometry_helpers.h"
 #include "geometry/mesh_check.h"
 #include "geometry/shapes.h"
 
@@ -19,20 +20,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Dice {
-    RandomKey key{};
-    std::uint32_t dimension = 0;
-    double next() { return random_unit(key, dimension++); }
-    DVec3 direction() {
-        const double z = 2.0 * next() - 1.0;
-        const double azimuth = 2.0 * pi * next();
-        return {std::sqrt(1.0 - z * z) * std::cos(azimuth), std::sqrt(1.0 - z * z) * std::sin(azimuth), z};
-    }
-};
-
-Dice dice(std::uint64_t seed) {
-    return {{seed, 0, 0, 0}, 0};
-}
+using test::dice;
+using test::Dice;
 
 // A point strictly inside: a random mean of all vertices.
 DVec3 point_inside(const HalfSpaceSolid& solid, Dice& random) {
@@ -263,24 +252,7 @@ TEST(HalfSpaceSolid, OpenAndNonConvexMeshesAreRefused) {
     open.triangles.pop_back();
     open.facet_of_triangle.pop_back();
     EXPECT_FALSE(HalfSpaceSolid::from_mesh(open));
-    // A cube whose top is pressed in to a pit.
-    const std::vector<DVec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},      {0, 0, 1},
-                                     {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0.5, 0.5, 0.5}};
-    const Mesh pit = mesh_from_triangles(corners, {{0, 2, 1},
-                                                   {0, 3, 2},
-                                                   {0, 1, 5},
-                                                   {0, 5, 4},
-                                                   {1, 2, 6},
-                                                   {1, 6, 5},
-                                                   {2, 3, 7},
-                                                   {2, 7, 6},
-                                                   {3, 0, 4},
-                                                   {3, 4, 7},
-                                                   {4, 5, 8},
-                                                   {5, 6, 8},
-                                                   {6, 7, 8},
-                                                   {7, 4, 8}})
-                         .value();
+    const Mesh pit = test::pitted_cube();
     ASSERT_TRUE(check_closed(pit));
     EXPECT_FALSE(is_convex(pit));
     EXPECT_FALSE(HalfSpaceSolid::from_mesh(pit));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "geometry/geometry_helpers.h"
 #include "geometry/overlap.h"
 
 #include <gtest/gtest.h>
@@ -116,23 +117,7 @@ TEST(Overlap, ASphereAndABoxAreSortedByDistance) {
 }
 
 TEST(Overlap, ABallInThePitOfANonConvexSolidIsOutsideIt) {
-    const std::vector<DVec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},      {0, 0, 1},
-                                     {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0.5, 0.5, 0.5}};
-    const Mesh pit = mesh_from_triangles(corners, {{0, 2, 1},
-                                                   {0, 3, 2},
-                                                   {0, 1, 5},
-                                                   {0, 5, 4},
-                                                   {1, 2, 6},
-                                                   {1, 6, 5},
-                                                   {2, 3, 7},
-                                                   {2, 7, 6},
-                                                   {3, 0, 4},
-                                                   {3, 4, 7},
-                                                   {4, 5, 8},
-                                                   {5, 6, 8},
-                                                   {6, 7, 8},
-                                                   {7, 4, 8}})
-                         .value();
+    const Mesh pit = test::pitted_cube();
     const Sphere in_the_pit{{0.5, 0.5, 0.85}, 0.1};
     EXPECT_EQ(arrangement(&pit, &in_the_pit), Arrangement::disjoint);
     const Sphere in_the_solid{{0.5, 0.5, 0.25}, 0.1};

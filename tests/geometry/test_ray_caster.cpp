@@ -11,6 +11,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
+#include "geometry/geometry_helpers.h"
 #include "geometry/half_space_solid.h"
 #include "geometry/mesh_check.h"
 #include "geometry/shapes.h"
@@ -19,20 +20,8 @@
 namespace pol {
 namespace {
 
-struct Dice {
-    RandomKey key{};
-    std::uint32_t dimension = 0;
-    double next() { return random_unit(key, dimension++); }
-    DVec3 direction() {
-        const double z = 2.0 * next() - 1.0;
-        const double azimuth = 2.0 * pi * next();
-        return {std::sqrt(1.0 - z * z) * std::cos(azimuth), std::sqrt(1.0 - z * z) * std::sin(azimuth), z};
-    }
-};
-
-Dice dice(std::uint64_t seed) {
-    return {{seed, 0, 0, 0}, 0};
-}
+using test::dice;
+using test::Dice;
 
 Mesh stone() {
     return make_mesh(BrilliantShape{}).value();
