@@ -55,8 +55,6 @@ public:
         return ray;
     }
 
-    [[nodiscard]] Projection projection() const { return projection_; }
-
 private:
     Projection projection_ = Projection::perspective;
     DVec3 origin_{};
