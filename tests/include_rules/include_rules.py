@@ -64,12 +64,17 @@ LIBRARIES = {
 THREADS = {"thread", "mutex", "shared_mutex", "atomic", "condition_variable", "future", "semaphore", "latch", "barrier"}
 THREAD_USERS = {"render": THREADS, "film": {"mutex"}}
 
-# Part of viewer/ -> beginnings of library headers it may not include.
+# Part of viewer/ -> beginnings of library headers it may not include. The first part that a path begins with counts;
+# what is not named is the session: no window, no GL, no ImGui.
+IMGUI, GL, WINDOW = ("imgui", "backends/imgui"), ("GL/", "EGL/"), ("GLFW/",)
 VIEWER_NOT = {
-    "session": ("imgui", "GL/", "GLFW/", "EGL/"),
-    "panels/": ("GL/", "GLFW/", "EGL/"),
-    "widgets/": ("GL/", "GLFW/", "EGL/"),
-    "gl/": ("imgui", "backends/imgui"),
+    "panels/": GL + WINDOW,
+    "widgets/": GL + WINDOW,
+    "interface": GL + WINDOW,
+    "gl/": IMGUI + WINDOW,
+    "picture_renderer": IMGUI + WINDOW,
+    "app": (),
+    "": IMGUI + GL + WINDOW,
 }
 
 SOURCES = {".h", ".cpp", ".vert", ".frag", ".glsl"}
@@ -118,10 +123,8 @@ def engine_rule(path, header):
 
 def viewer_rule(path, header):
     """Why `path` (below viewer/) may not include the library header, or None."""
-    for part, beginnings in VIEWER_NOT.items():
-        if path.startswith(part) and header.startswith(beginnings):
-            return f"viewer/{part} may not include <{header}>"
-    return None
+    part, beginnings = next(item for item in VIEWER_NOT.items() if path.startswith(item[0]))
+    return f"viewer/{part or path} may not include <{header}>" if header.startswith(beginnings) else None
 
 
 def check_includes(top, path, lines):

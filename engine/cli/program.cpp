@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/program.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/explain_command.h"
+#include "cli/interface_command.h"
+#include "cli/maps_command.h"
+#include "cli/plan_command.h"
+#include "cli/render_command.h"
+#include "cli/report.h"
+#include "core/nearest_word.h"
+#include "core/result.h"
+
+namespace pol {
+
+namespace {
+
+/// What CLI11 has to complain about, with the nearest command or option for a word that is neither.
+Error usage_error(const CLI::App& app, const CLI::Error& complaint) {
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    Error error{ErrorKind::usage, complaint.what()};
+    error.hint = fmt::format("see polariscope {}--help", chosen.empty() ? "" : command.get_name() + " ");
+
+    std::vector<std::string> known;
+    const std::vector<std::string> unknown = command.remaining();
+    if (unknown.empty()) return error;
+    const bool is_option = unknown.front().starts_with("-");
+    if (!is_option && !chosen.empty()) return error;
+    error.what = fmt::format("there is no {} '{}'", is_option ? "option" : "command", unknown.front());
+    for (const CLI::App* one : app.get_subcommands({})) known.push_back(one->get_name());
+    if (is_option) {
+        known.clear();
+        for (const CLI::Option* option : command.get_options())
+            for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    const auto nearest = nearest_word(unknown.front(), std::vector<std::string_view>(known.begin(), known.end()));
+    if (nearest) error.hint = fmt::format("did you mean '{}'?", *nearest);
+    return error;
+}
+
+int run(int argc, char** argv, std::span<const AddCommand> more) {
+    CLI::App app{"polariscope: trace polarized light backward through glass, metal and crystals, and look at it"};
+    app.name("polariscope");
+    app.set_version_flag("--version", POL_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done; 1 defect of this program; 2 usage; 3 scene or asset; 4 output; 5 self-check failed\n"
+        "(energy, not-a-number); 10 time limit before the samples asked for; 33 out of memory; 130, 143 stopped.\n"
+        "\nExample:\n"
+        "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr\n"
+        "  polariscope maps calcite.exr --map dop -o dop.png");
+    int exit_code = 0;
+    add_render_command(app, exit_code);
+    add_maps_command(app, exit_code);
+    add_explain_command(app, exit_code);
+    add_interface_command(app, exit_code);
+    add_plan_command(app, exit_code);
+    for (const AddCommand add : more) add(app, exit_code);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& request_for_help) {
+        exit_code = app.exit(request_for_help);
+    } catch (const CLI::ParseError& complaint) {
+        return report(usage_error(app, complaint));
+    }
+    return exit_code;
+}
+
+int report_lost_output() {
+    return report({ErrorKind::output, "standard output cannot be written", {}, {}, "is the disk full?"});
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, std::span<const AddCommand> more) {
+    constexpr int out_of_memory = 33;  // what render farms look for
+    // A limit on the size of files is reported like a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
+    try {
+        const int exit_code = run(argc, argv, more);
+        if (std::fflush(stdout) != 0 && exit_code == 0) return report_lost_output();
+        return exit_code;
+    } catch (const std::bad_alloc&) {
+        std::fputs("polariscope: out of memory\n  hint: choose a smaller picture or fewer wavelengths\n", stderr);
+        return out_of_memory;
+    } catch (const std::exception& error) {
+        // fmt throws where standard output cannot be written.
+        if (std::ferror(stdout) != 0) return report_lost_output();
+        std::fprintf(stderr, "polariscope: defect: %s\n", error.what());
+        return static_cast<int>(ErrorKind::internal);
+    }
+}
+
+}  // namespace pol

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The polarimeter bench: ideal elements between the scene and the sensor, turned after the render. Nothing is traced
+// again: the picture's Stokes vectors are multiplied by one real 4x4 matrix.
+#pragma once
+
+#include <vector>
+
+#include "optics/elements.h"
+#include "polarization/mueller.h"
+#include "polarization/stokes.h"
+
+namespace pol {
+
+enum class BenchElementKind : std::uint8_t { polarizer, retarder };
+
+/// Angles in radians in the pixel's frame, from x (image right) towards y (image up), seen by the receiver.
+struct BenchElement {
+    BenchElementKind kind = BenchElementKind::polarizer;
+    bool in_beam = true;
+    double axis = 0.0;                       ///< transmission axis, or fast axis
+    double retardance = 1.5707963267948966;  ///< retarder only
+    friend bool operator==(const BenchElement&, const BenchElement&) = default;
+};
+
+/// Elements in the order in which the light meets them.
+struct Bench {
+    std::vector<BenchElement> elements;
+    /// True if the light arrives as it is.
+    [[nodiscard]] bool empty() const;
+    /// Acts on the Stokes vector of a pixel in its frame.
+    [[nodiscard]] MuellerMatrix<double> mueller() const;
+    friend bool operator==(const Bench&, const Bench&) = default;
+};
+
+}  // namespace pol

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one frame of the interface needs from whoever shows it, and what it asks of it in return.
+#pragma once
+
+#include <cstdint>
+
+#include "core/vec.h"
+
+namespace pol {
+
+/// Rectangle in window coordinates (view_transform.h), logical points.
+struct ViewRect {
+    DVec2 origin{0.0, 0.0};
+    DVec2 size{0.0, 0.0};
+};
+
+struct Frame {
+    /// Texture that shows the picture's viewport (an ImTextureID); 0 without GL: a plain rectangle is drawn instead.
+    std::uintptr_t picture_texture = 0;
+    double ui_scale = 1.0;  ///< of fonts and widgets on high-density screens
+    /// Out: where the picture's viewport lies; the texture is rendered for this rectangle after the interface is built
+    /// and before it is shown, so that both belong to the same frame.
+    ViewRect viewport{};
+};
+
+}  // namespace pol

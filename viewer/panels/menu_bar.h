@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "viewer/session.h"
+
+namespace pol {
+
+/// Main menu, made from the table of commands. Returns its height in points.
+float draw_menu_bar(Session& session);
+
+}  // namespace pol

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of the window without the window: what is open, how it is shown, what is selected. Panels read it and call
+// it; nothing here knows ImGui or GL.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "polarization/stokes.h"
+#include "viewer/bench.h"
+#include "viewer/document.h"
+#include "viewer/log.h"
+#include "viewer/selection.h"
+#include "viewer/view_settings.h"
+#include "viewer/view_transform.h"
+
+namespace pol {
+
+/// Main thread only.
+class Session {
+public:
+    /// `wake` is called from worker threads whenever there is something new to draw.
+    explicit Session(std::function<void()> wake = {}) : wake_(std::move(wake)) {}
+
+    /// Opens a file and makes it the current document; on error the log says why and nothing changes.
+    bool open(const std::filesystem::path& path);
+
+    [[nodiscard]] const std::vector<std::unique_ptr<Document>>& documents() const { return documents_; }
+    /// The document on screen, or null.
+    [[nodiscard]] Document* current() const;
+    /// Shows the next (+1) or previous (-1) document.
+    void step_document(int by);
+
+    /// Once per frame, before drawing: takes over what workers and background jobs have finished.
+    void update();
+
+    /// Shows another map; a wavelength that the picture does not have is set to the nearest it has.
+    void show(Quantity quantity) { view.quantity = quantity; }
+
+    /// Stokes vector of a pixel of the current picture behind the bench. Requires: current(), indices inside.
+    [[nodiscard]] Stokes<double> shown_stokes(std::size_t wavelength, std::size_t pixel) const;
+
+    /// Pins a pixel of the current picture and makes it the current pin. Outside the picture: does nothing.
+    void pin(PixelAddress pixel);
+    /// Moves the current pin; stays inside the picture.
+    void nudge(int dx, int dy);
+    /// Releases the current pin; the one pinned before it becomes current.
+    void unpin();
+
+    ViewSettings view;
+    ViewTransform transform;
+    Selection selection;
+    Bench bench;
+    Log log;
+    bool panels_visible = true;
+    bool quit_requested = false;
+
+private:
+    std::function<void()> wake_;
+    std::vector<std::unique_ptr<Document>> documents_;
+    int current_ = -1;
+};
+
+}  // namespace pol
