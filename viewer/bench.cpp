@@ -26,4 +26,11 @@ MuellerMatrix<double> Bench::mueller() const {
     return to_mueller(train);
 }
 
+PixelLight behind(const MuellerMatrix<double>& train, const PixelLight& light) {
+    PixelLight result = light;
+    result.stokes = train * light.stokes;
+    if (light.scale == 0.0) result.scale = light.stokes.s0;
+    return result;
+}
+
 }  // namespace pol

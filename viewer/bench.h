@@ -3,8 +3,10 @@
 // again: the picture's Stokes vectors are multiplied by one real 4x4 matrix.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "maps/pixel_light.h"
 #include "optics/elements.h"
 #include "polarization/mueller.h"
 #include "polarization/stokes.h"
@@ -31,5 +33,9 @@ struct Bench {
     [[nodiscard]] MuellerMatrix<double> mueller() const;
     friend bool operator==(const Bench&, const Bench&) = default;
 };
+
+/// Light behind a train of passive elements. They let through no more of the missing or surplus light than there was,
+/// so its bounds stay; what rounding leaves of light that they stop is told by the light in front of them.
+PixelLight behind(const MuellerMatrix<double>& train, const PixelLight& light);
 
 }  // namespace pol

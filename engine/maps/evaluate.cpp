@@ -89,20 +89,18 @@ Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>&
 
 }  // namespace
 
-MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
-                        double d65) {
+MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) {
     POL_EXPECTS(quantity != Quantity::color);
-    const Stokes<double>& s = image.at(wavelength, pixel);
+    const Stokes<double>& s = light.stokes;
     if (quantity == Quantity::intensity) return number(s.s0 / d65);
-    if (quantity == Quantity::residual) return number(image.plane_value(image.residual, wavelength, pixel));
+    if (quantity == Quantity::residual) return number(light.residual);
     if (quantity == Quantity::unphysical) return unphysical(s);
 
     const Measures<double> m = measure(s, noise);
-    const auto bars = error_bars(image, wavelength, pixel);
+    const auto bars = error_bars(light);
     if (!std::isfinite(m.dop) || !bars) return empty(PixelState::not_a_number);
     // Crossed polarizers leave a rounding error of the light that they stop: 1e-33 of it is no light.
-    const double brightest = image.brightest.empty() ? 0.0 : image.brightest[wavelength];
-    if (bars->s0.high <= noise * brightest) return empty(PixelState::no_light);
+    if (bars->s0.high <= noise * light.scale) return empty(PixelState::no_light);
     if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
 
     const Reading reading = read(quantity, s, m, *bars);
@@ -114,6 +112,11 @@ MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t
     if (!reading.determined && !is_unpolarized) return empty(PixelState::undetermined);
     if (!reading.defined || !reading.determined) return empty(PixelState::undefined);
     return {reading.value, reading.weight, PixelState::defined};
+}
+
+MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
+                        double d65) {
+    return evaluate_light(pixel_light(image, wavelength, pixel), quantity, d65);
 }
 
 Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength) {

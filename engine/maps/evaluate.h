@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "film/stokes_image.h"
+#include "maps/pixel_light.h"
 #include "maps/quantity.h"
 
 namespace pol {
@@ -42,8 +43,9 @@ struct Map {
 /// are shown at full weight. Below it the weight falls linearly to 0.
 inline constexpr double full_weight_polarization = 0.05;
 
-/// The value of `quantity` at one pixel. `d65` is CIE D65 at the wavelength, used by `intensity` only.
+/// The value of `quantity` of some light. `d65` is CIE D65 at the wavelength, used by `intensity` only.
 /// Requires: quantity is not `color` (see color_picture.h).
+MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65);
 MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
                         double d65);
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "film/stokes_image.h"
+#include "polarization/stokes.h"
+
+namespace pol {
+
+/// The light of one pixel at one wavelength with what is known about its error: all that a map is made from.
+struct PixelLight {
+    Stokes<double> stokes{};
+    double missing = 0.0;   ///< most S0 that may have been left out, (residual + tail) brightest
+    double surplus = 0.0;   ///< most S0 that may be there too much, tail brightest
+    double residual = 0.0;  ///< share of the throughput that was not traced
+    /// Light that the arithmetic had in hand: what is nothing but rounding beside it is no light. 0: not known.
+    double scale = 0.0;
+};
+
+/// A picture without residual or without brightest has no light missing, as far as it says.
+PixelLight pixel_light(const StokesImage& image, std::size_t wavelength, std::size_t pixel);
+
+}  // namespace pol

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that the picture knows about one pixel, behind the bench: what hover, numbers in pixels and the inspector
+// show.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "maps/error_bars.h"
+#include "maps/evaluate.h"
+#include "maps/pixel_light.h"
+#include "spectrum/color.h"
+#include "viewer/bench.h"
+#include "viewer/selection.h"
+#include "viewer/session.h"
+
+namespace pol {
+
+/// The picture as the sensor behind the bench sees it. Borrows the picture; made anew for every frame.
+class ShownPicture {
+public:
+    ShownPicture(const StokesImage& picture, const Bench& bench);
+    /// Requires: indices inside the picture.
+    [[nodiscard]] PixelLight light(std::size_t wavelength, std::size_t pixel) const;
+    [[nodiscard]] const StokesImage& picture() const { return picture_; }
+
+private:
+    const StokesImage& picture_;
+    std::optional<MuellerMatrix<double>> train_;  // none: the light arrives as it is
+};
+
+/// One quantity with its rigorous bar, both in the quantity's unit.
+struct QuantityReading {
+    MapPixel pixel{};
+    std::optional<Interval<double>> bar;  ///< as error_bar (maps/error_bars.h)
+    /// Largest distance of the truth from the value. Empty without a bar or a value.
+    [[nodiscard]] std::optional<double> half_width() const;
+};
+
+struct WavelengthReading {
+    double wavelength_nm = 0.0;
+    PixelLight light{};         ///< behind the bench
+    double tail = 0.0;          ///< share of the throughput that random paths stand for
+    double brightest = 0.0;     ///< trace bound of the light that any path can bring; 0: not known
+    std::optional<double> d65;  ///< CIE D65 there; none outside its table
+};
+
+struct PixelReading {
+    PixelAddress address{};
+    std::vector<WavelengthReading> wavelengths;  ///< as in the picture
+    Rgb color{};                                 ///< linear sRGB
+    std::optional<std::uint32_t> samples;        ///< none: the picture does not say
+    std::optional<std::uint32_t> failures;       ///< samples whose arithmetic failed
+
+    /// `quantity` at one wavelength as maps::evaluate_light has it; `undefined` for the intensity where D65 is not
+    /// known. Requires: quantity is not `color`, wavelength < wavelengths.size().
+    [[nodiscard]] QuantityReading quantity(Quantity quantity, std::size_t wavelength) const;
+};
+
+/// Reads a pixel of the session's current picture. Requires: current() is not null, `address` lies inside the picture.
+PixelReading read_pixel(const Session& session, PixelAddress address);
+
+}  // namespace pol
