@@ -18,7 +18,8 @@ namespace {
 std::vector<Fact> all_chapters() {
     std::vector<Fact> all;
     for (const auto chapter :
-         {reflection_facts, plate_facts, total_reflection_facts, element_facts, drop_facts, unmodelled_facts}) {
+         {reflection_facts, plate_facts, total_reflection_facts, element_facts, drop_facts, crystal_plate_facts,
+          crystal_contact_facts, crystal_prism_facts, crystal_face_facts, algebra_facts, unmodelled_facts}) {
         std::vector<Fact> facts = chapter();
         std::move(facts.begin(), facts.end(), std::back_inserter(all));
     }
@@ -43,6 +44,11 @@ Result<FactResult> judged(const Fact& fact) {
 }
 
 }  // namespace
+
+std::string label(const Fact& fact, const Reading& reading) {
+    const std::string& view = fact.views[reading.view].name;
+    return view.empty() ? reading.what : view + ": " + reading.what;
+}
 
 std::string_view verdict_text(Verdict verdict) {
     switch (verdict) {

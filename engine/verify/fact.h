@@ -50,6 +50,9 @@ struct Fact {
     std::string not_modelled{};  ///< why the tracer cannot show it; empty: it can
 };
 
+/// "45 degrees: reflectance of s": what the reading is, in which view.
+std::string label(const Fact& fact, const Reading& reading);
+
 enum class Verdict {
     pass,
     fail,

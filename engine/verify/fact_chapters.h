@@ -18,6 +18,11 @@ std::vector<Fact> plate_facts();             // T4 to T8, T14
 std::vector<Fact> total_reflection_facts();  // T9 to T12
 std::vector<Fact> element_facts();           // T13
 std::vector<Fact> drop_facts();              // T15
+std::vector<Fact> crystal_plate_facts();     // T21 to T25, T35, T44, T45
+std::vector<Fact> crystal_contact_facts();   // T26, T36, T37
+std::vector<Fact> crystal_prism_facts();     // T27 to T29
+std::vector<Fact> crystal_face_facts();      // T30 to T34, T38, T39
+std::vector<Fact> algebra_facts();           // T46 to T50
 std::vector<Fact> unmodelled_facts();        // T40 to T43
 
 using Measurement = std::function<double(const Explanation&)>;

@@ -38,21 +38,20 @@ Fact malus() {
               "Malus 1809; an ideal polarizer projects the field"};
     const Tolerance sheets = rounding(32.0, "two sheets");
     const std::size_t one = add_view(fact, "one polarizer", polarizers({30.0}));
-    expect(fact, one, "one polarizer: radiance", 0.5, sheets, of_pixel(s0));
-    expect(fact, one, "one polarizer: azimuth", 30.0, rounding(1e3, "an angle in degrees"), of_pixel(azimuth_degrees),
-           "deg");
+    expect(fact, one, "radiance", 0.5, sheets, of_pixel(s0));
+    expect(fact, one, "azimuth", 30.0, rounding(1e3, "an angle in degrees"), of_pixel(azimuth_degrees), "deg");
     const std::size_t two = add_view(fact, "two, 30 degrees apart", polarizers({30.0, 0.0}));
-    expect(fact, two, "two, 30 degrees apart", 0.375, sheets, of_pixel(s0));
+    expect(fact, two, "radiance", 0.375, sheets, of_pixel(s0));
     const std::size_t crossed = add_view(fact, "two, crossed", polarizers({90.0, 0.0}));
-    expect(fact, crossed, "two, crossed", 0.0, {std::pow(32.0 * epsilon, 2), "amplitude of 32 epsilon, squared"},
+    expect(fact, crossed, "radiance", 0.0, {std::pow(32.0 * epsilon, 2), "amplitude of 32 epsilon, squared"},
            of_pixel(s0));
     const std::size_t three = add_view(fact, "three, 45 degrees apart", polarizers({90.0, 45.0, 0.0}));
-    expect(fact, three, "three, 45 degrees apart", 0.125, sheets, of_pixel(s0));
+    expect(fact, three, "radiance", 0.125, sheets, of_pixel(s0));
     constexpr int steps = 9;
     std::vector<double> fan;
     for (int i = 0; i <= steps; ++i) fan.push_back(90.0 * i / steps);
     const std::size_t many = add_view(fact, "fan of ten", polarizers(fan));
-    expect(fact, many, "fan of ten", 0.5 * std::pow(std::cos(0.5 * pi / steps), 2 * steps),
+    expect(fact, many, "radiance", 0.5 * std::pow(std::cos(0.5 * pi / steps), 2 * steps),
            rounding(16.0 * steps, "ten sheets"), of_pixel(s0));
     return fact;
 }

@@ -42,9 +42,8 @@ Fact straight_path_through_pile() {
         const std::size_t view = add_view(fact, plates_text(count), pile(count, brewster, "node_budget: 200"));
         const double t_s = std::pow(2.0 * n_glass / (1.0 + n_glass * n_glass), 4.0 * count);
         const std::string straight(2 * static_cast<std::size_t>(count), 'T');
-        expect(fact, view, plates_text(count) + ": degree of polarization", dop_of(1.0, t_s), many_surfaces,
-               along(straight, dop));
-        expect(fact, view, plates_text(count) + ": transmittance of s", t_s, many_surfaces, along(straight, s_share));
+        expect(fact, view, "degree of polarization", dop_of(1.0, t_s), many_surfaces, along(straight, dop));
+        expect(fact, view, "transmittance of s", t_s, many_surfaces, along(straight, s_share));
     }
     return fact;
 }
@@ -61,9 +60,9 @@ Fact all_passes_through_pile() {
         const std::size_t view = add_view(fact, plates_text(cut.count), pile(cut.count, brewster, cut.settings));
         const double spread = std::pow(2.0 * n_glass / (n_glass * n_glass - 1.0), 2);
         // P falls by at most (1 + P)/S0 < 2.6 per missing S0.
-        expect(fact, view, plates_text(cut.count) + ": degree of polarization", cut.count / (cut.count + spread),
+        expect(fact, view, "degree of polarization", cut.count / (cut.count + spread),
                residual_bound(cut.residual, 2.6, many_surfaces), of_pixel(dop));
-        expect(fact, view, plates_text(cut.count) + ": transmittance of p", 1.0, many_surfaces, of_pixel(p_share));
+        expect(fact, view, "transmittance of p", 1.0, many_surfaces, of_pixel(p_share));
     }
     return fact;
 }
@@ -75,10 +74,9 @@ Fact plate_by_angle() {
         const ClosedFresnel f(n_glass, radians(angle));
         const std::string name = std::to_string(static_cast<int>(angle)) + " degrees";
         const std::size_t view = add_view(fact, name, pile(1, radians(angle), "residual: 1e-13"));
-        expect(fact, view, name + ", straight path: P", dop_of(std::pow(1.0 - f.R_s(), 2), std::pow(1.0 - f.R_p(), 2)),
+        expect(fact, view, "straight path: P", dop_of(std::pow(1.0 - f.R_s(), 2), std::pow(1.0 - f.R_p(), 2)),
                many_surfaces, along("TT", dop));
-        expect(fact, view, name + ", all passes: P",
-               dop_of(pile_transmittance(1, f.R_s()), pile_transmittance(1, f.R_p())),
+        expect(fact, view, "all passes: P", dop_of(pile_transmittance(1, f.R_s()), pile_transmittance(1, f.R_p())),
                residual_bound(1e-13, 3.0, many_surfaces), of_pixel(dop));
     }
     return fact;
@@ -133,13 +131,13 @@ Fact furnace() {
             const std::string title = name + ", depth " + std::to_string(depth);
             const std::size_t view = add_view(fact, title, scene(depth));
             const auto seen = [&](double r) { return 1.0 - (1.0 - r) * std::pow(r, depth - 1); };
-            expect(fact, view, title + ": light of s", seen(f.R_s()), many_surfaces, of_pixel(s_share));
-            expect(fact, view, title + ": light of p", seen(f.R_p()), many_surfaces, of_pixel(p_share));
+            expect(fact, view, "light of s", seen(f.R_s()), many_surfaces, of_pixel(s_share));
+            expect(fact, view, "light of p", seen(f.R_p()), many_surfaces, of_pixel(p_share));
         }
         // R^D of s, R = 0.18, is below 1e-16 for D = 60; the paths are few: one leaf per surface.
         const std::size_t view = add_view(fact, name + ", depth 60", scene(60));
-        expect(fact, view, name + ", depth 60: radiance", 1.0, many_surfaces, of_pixel(s0));
-        expect(fact, view, name + ", depth 60: degree of polarization", 0.0, many_surfaces, of_pixel(dop));
+        expect(fact, view, "radiance", 1.0, many_surfaces, of_pixel(s0));
+        expect(fact, view, "degree of polarization", 0.0, many_surfaces, of_pixel(dop));
     }
     return fact;
 }

@@ -109,8 +109,8 @@ Fact diamond() {
     const std::size_t at_brewster = add_view(fact, "Brewster's angle", mirror_scene(text(n), std::atan(n)));
     expect(fact, at_brewster, "reflectance of p", 0.0, one_surface, of_pixel(p_share));
     const auto from_inside = [n](double i) {
-        return camera_along(upward(i), 1.0) + picture() + "background: 1\nmedia: {stuff: " + text(n) + "}\nobjects:\n" +
-               box("block", {40.0, 40.0, 4.0}, {0.0, 0.0, -2.0}, "stuff");
+        return camera_along(upward(i), 1.0) + picture("depth: 2") + "background: 1\nmedia: {stuff: " + text(n) +
+               "}\nobjects:\n" + box("block", {40.0, 40.0, 4.0}, {0.0, 0.0, -2.0}, "stuff");
     };
     const double critical = std::asin(1.0 / n);
     for (const auto& [name, side, out] : {std::tuple{"1e-12 rad inside the critical angle", -1.0, 1.0},
@@ -156,19 +156,18 @@ Fact metal_reflection() {
         const ClosedFresnel f(index, radians(45.0));
         const Stokes<double> turned = f.of_diagonal_light();
         const std::size_t normal = add_view(fact, name + ", normal incidence", mirror_scene(medium, 0.0));
-        expect(fact, normal, name + ": reflectance", ClosedFresnel(index, 0.0).R_s(), one_surface, of_pixel(s0));
+        expect(fact, normal, "reflectance", ClosedFresnel(index, 0.0).R_s(), one_surface, of_pixel(s0));
         const std::size_t oblique = add_view(fact, name + ", 45 degrees", mirror_scene(medium, radians(45.0)));
-        expect(fact, oblique, name + ": degree of polarization", dop_of(f.R_s(), f.R_p()), one_surface, of_pixel(dop));
+        expect(fact, oblique, "degree of polarization", dop_of(f.R_s(), f.R_p()), one_surface, of_pixel(dop));
         const std::size_t linear = add_view(fact, name + ", 45 degrees, light at +45 degrees",
                                             mirror_scene(medium, radians(45.0), polarized(diagonal)));
-        expect(fact, linear, name + ": S3", turned.s3, one_surface, of_pixel(s3));
-        expect(fact, linear, name + ": ellipticity",
+        expect(fact, linear, "S3", turned.s3, one_surface, of_pixel(s3));
+        expect(fact, linear, "ellipticity",
                std::abs(turned.s3) / (std::hypot(turned.s1, turned.s2, turned.s3) + std::hypot(turned.s1, turned.s2)),
                one_surface, of_pixel(ellipticity));
         const std::size_t principal = add_view(fact, name + ", principal angle",
                                                mirror_scene(medium, principal_angle(index), polarized(diagonal)));
-        expect(fact, principal, name + ": S2 at the principal angle", 0.0, rounding(64.0, "one surface and an angle"),
-               of_pixel(s2));
+        expect(fact, principal, "S2", 0.0, rounding(64.0, "one surface and an angle"), of_pixel(s2));
     }
     return fact;
 }
@@ -186,9 +185,8 @@ Fact reversed_handedness() {
             const std::string lit = hand > 0.0 ? ", right circular light" : ", left circular light";
             const std::size_t view =
                 add_view(fact, name + lit, mirror_scene(medium, 0.0, polarized("[0, 0, " + text(hand) + "]")));
-            expect(fact, view, name + lit + ": S3", -hand * r, one_surface, of_pixel(s3));
-            expect(fact, view, name + lit + ": ellipticity", 1.0, rounding(32.0 / 0.04, "one surface / 0.04"),
-                   of_pixel(ellipticity));
+            expect(fact, view, "S3", -hand * r, one_surface, of_pixel(s3));
+            expect(fact, view, "ellipticity", 1.0, rounding(32.0 / 0.04, "one surface / 0.04"), of_pixel(ellipticity));
         }
     }
     return fact;

@@ -76,18 +76,18 @@ Fact prism() {
     for (const auto& [name, side, out] : {std::tuple{"1e-12 rad inside the critical angle", -1.0, 1.0},
                                           std::tuple{"1e-12 rad beyond the critical angle", 1.0, 0.0}}) {
         const std::size_t view = add_view(fact, name, inner_mirror_scene(1.5, critical + side * 1e-12, light));
-        expect(fact, view, std::string(name) + ": refracted rays", out, exact(),
+        expect(fact, view, "refracted rays", out, exact(),
                [](const Explanation& e) { return find_branch(e, "T") == nullptr ? 0.0 : 1.0; });
     }
     for (const auto& [degree, e, delay] : {std::tuple{45, 1.0 / 3.0, std::atan(0.75)},
                                            std::tuple{60, std::sqrt(11.0) / 9.0, -retardance(1.5, radians(60.0))}}) {
         const std::string name = std::to_string(degree) + " degrees";
         const std::size_t view = add_view(fact, name, prism_scene(radians(degree), light));
-        expect(fact, view, name + ": ellipticity", e, few_surfaces, along("TRT", ellipticity));
-        expect(fact, view, name + ": delay of s after p", degrees(delay),
-               rounding(200.0 * 60.0, "four surfaces, in degrees"), along("TRT", delay_degrees), "deg");
-        expect(fact, view, name + ": handedness (+1 right)", 1.0, exact(), along("TRT", handedness));
-        expect(fact, view, name + ": radiance", 0.96 * 0.96, few_surfaces, along("TRT", s0));
+        expect(fact, view, "ellipticity", e, few_surfaces, along("TRT", ellipticity));
+        expect(fact, view, "delay of s after p", degrees(delay), rounding(200.0 * 60.0, "four surfaces, in degrees"),
+               along("TRT", delay_degrees), "deg");
+        expect(fact, view, "handedness (+1 right)", 1.0, exact(), along("TRT", handedness));
+        expect(fact, view, "radiance", 0.96 * 0.96, few_surfaces, along("TRT", s0));
     }
     return fact;
 }
@@ -111,7 +111,7 @@ Fact corner_cube() {
     expect(fact, natural, "degree of polarization", 0.0, few_surfaces, along("RRR", dop));
     for (const auto& [name, state] : {std::pair{"linear light", "[1, 0, 0]"}, {"diagonal light", "[0, 1, 0]"}}) {
         const std::size_t view = add_view(fact, name, corner_scene(polarized(state)));
-        expect(fact, view, std::string(name) + ": degree of polarization", 1.0, few_surfaces, along("RRR", dop));
+        expect(fact, view, "degree of polarization", 1.0, few_surfaces, along("RRR", dop));
     }
     return fact;
 }
@@ -123,20 +123,20 @@ Fact fresnel_rhomb() {
     const auto [steep, flat] = angles_of_delay(n_rhomb, radians(45.0));
     for (const auto& [name, angle] : {std::pair{"steeper angle", steep}, std::pair{"flatter angle", flat}}) {
         const std::size_t view = add_view(fact, name, rhomb_scene(n_rhomb, angle, light));
-        expect(fact, view, std::string(name) + ": ellipticity", 1.0, few_surfaces, along("TRRT", ellipticity));
-        expect(fact, view, std::string(name) + ": handedness (+1 right)", 1.0, exact(), along("TRRT", handedness));
+        expect(fact, view, "ellipticity", 1.0, few_surfaces, along("TRRT", ellipticity));
+        expect(fact, view, "handedness (+1 right)", 1.0, exact(), along("TRRT", handedness));
     }
     const double angle = radians(54.6);
     const std::size_t view = add_view(fact, "54.6 degrees", rhomb_scene(n_rhomb, angle, light));
     const double delay = -2.0 * retardance(n_rhomb, angle);
-    expect(fact, view, "54.6 degrees: delay", degrees(delay), rounding(200.0 * 60.0, "four surfaces, in degrees"),
+    expect(fact, view, "delay", degrees(delay), rounding(200.0 * 60.0, "four surfaces, in degrees"),
            along("TRRT", delay_degrees), "deg");
-    expect(fact, view, "54.6 degrees: ellipticity", std::min(std::tan(0.5 * delay), 1.0 / std::tan(0.5 * delay)),
-           few_surfaces, along("TRRT", ellipticity));
+    expect(fact, view, "ellipticity", std::min(std::tan(0.5 * delay), 1.0 / std::tan(0.5 * delay)), few_surfaces,
+           along("TRRT", ellipticity));
     const double m = 1.0 / n_rhomb;
     const double best = std::asin(std::sqrt(2.0 * m * m / (1.0 + m * m)));
     const std::size_t largest = add_view(fact, "largest delay", inner_mirror_scene(n_rhomb, best, light));
-    expect(fact, largest, "largest delay of one reflection", degrees(2.0 * std::atan((1.0 - m * m) / (2.0 * m))),
+    expect(fact, largest, "delay of one reflection", degrees(2.0 * std::atan((1.0 - m * m) / (2.0 * m))),
            rounding(32.0 * 60.0, "one surface, in degrees"), of_pixel(delay_degrees), "deg");
     return fact;
 }
@@ -147,8 +147,8 @@ Fact rhomb_keeps_s_and_p() {
     for (const auto& [name, sign] : {std::pair{"s", 1.0}, std::pair{"p", -1.0}}) {
         const std::size_t view = add_view(fact, std::string("light along ") + name,
                                           rhomb_scene(n_rhomb, radians(54.6), polarized("[" + text(sign) + ", 0, 0]")));
-        expect(fact, view, std::string(name) + ": S1", sign * power, few_surfaces, along("TRRT", s1));
-        expect(fact, view, std::string(name) + ": ellipticity", 0.0, few_surfaces, along("TRRT", ellipticity));
+        expect(fact, view, "S1", sign * power, few_surfaces, along("TRRT", s1));
+        expect(fact, view, "ellipticity", 0.0, few_surfaces, along("TRRT", ellipticity));
     }
     return fact;
 }

@@ -71,6 +71,10 @@ std::string box(std::string_view name, const DVec3& size, const DVec3& center, s
                        name, text(size), text(center), medium);
 }
 
+std::string calcite(const DVec3& axis) {
+    return fmt::format("{{ordinary: 1.6584, extraordinary: 1.4864, axis: {}}}", text(axis));
+}
+
 std::string extruded(std::string_view name, const std::vector<DVec2>& polygon, std::string_view medium) {
     std::string corners;
     for (const DVec2& p : polygon)

@@ -33,9 +33,9 @@ TEST_P(EveryFact, HoldsAtItsPixel) {
     for (std::size_t i = 0; i < fact.readings.size(); ++i) {
         const Reading& reading = fact.readings[i];
         const ReadingResult& got = result.readings[i];
-        EXPECT_EQ(got.verdict, Verdict::pass) << fact.views[reading.view].name << ": " << reading.what << ": expected "
-                                              << reading.expected << ", measured " << got.measured << ", "
-                                              << got.deviation << " tolerances (" << reading.tolerance.from << ")";
+        EXPECT_EQ(got.verdict, Verdict::pass)
+            << label(fact, reading) << ": expected " << reading.expected << ", measured " << got.measured << ", "
+            << got.deviation << " tolerances (" << reading.tolerance.from << ")";
     }
     EXPECT_EQ(result.verdict, Verdict::pass);
 }
