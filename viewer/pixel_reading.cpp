@@ -2,17 +2,9 @@
 #include "viewer/pixel_reading.h"
 
 #include "spectrum/illuminant.h"
+#include "viewer/shown_picture.h"
 
 namespace pol {
-
-ShownPicture::ShownPicture(const StokesImage& picture, const Bench& bench) : picture_(picture) {
-    if (!bench.empty()) train_ = bench.mueller();
-}
-
-PixelLight ShownPicture::light(std::size_t wavelength, std::size_t pixel) const {
-    const PixelLight light = pixel_light(picture_, wavelength, pixel);
-    return train_ ? behind(*train_, light) : light;
-}
 
 std::optional<double> QuantityReading::half_width() const {
     if (!bar || pixel.state != PixelState::defined) return std::nullopt;

@@ -12,24 +12,10 @@
 #include "maps/evaluate.h"
 #include "maps/pixel_light.h"
 #include "spectrum/color.h"
-#include "viewer/bench.h"
 #include "viewer/selection.h"
 #include "viewer/session.h"
 
 namespace pol {
-
-/// The picture as the sensor behind the bench sees it. Borrows the picture; made anew for every frame.
-class ShownPicture {
-public:
-    ShownPicture(const StokesImage& picture, const Bench& bench);
-    /// Requires: indices inside the picture.
-    [[nodiscard]] PixelLight light(std::size_t wavelength, std::size_t pixel) const;
-    [[nodiscard]] const StokesImage& picture() const { return picture_; }
-
-private:
-    const StokesImage& picture_;
-    std::optional<MuellerMatrix<double>> train_;  // none: the light arrives as it is
-};
 
 /// One quantity with its rigorous bar, both in the quantity's unit.
 struct QuantityReading {

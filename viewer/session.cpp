@@ -8,6 +8,9 @@ namespace pol {
 namespace {
 /// Time per frame for taking over finished tiles: the rest of a frame is for drawing.
 constexpr double update_s = 0.002;
+/// The same for evaluating the shown map, while the picture grows and when nothing else is to be done.
+constexpr double evaluate_growing_s = 0.002;
+constexpr double evaluate_finished_s = 0.010;
 }  // namespace
 
 bool Session::open(const std::filesystem::path& path) {
@@ -34,10 +37,16 @@ void Session::step_document(int by) {
 
 void Session::update() {
     Document* document = current();
-    if (document == nullptr) return;
+    if (document == nullptr) {
+        shown_map.clear();
+        return;
+    }
     document->update(update_s);
     const std::size_t wavelengths = document->picture().wavelengths_nm.size();
     if (view.wavelength >= wavelengths) view.wavelength = wavelengths - 1;
+    const bool grows = !document->paused() && !document->progress().finished;
+    shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s);
+    if (!shown_map.complete() && !grows && wake_) wake_();
 }
 
 Stokes<double> Session::shown_stokes(std::size_t wavelength, std::size_t pixel) const {

@@ -13,6 +13,7 @@
 #include "viewer/document.h"
 #include "viewer/log.h"
 #include "viewer/selection.h"
+#include "viewer/shown_map.h"
 #include "viewer/view_settings.h"
 #include "viewer/view_transform.h"
 
@@ -53,6 +54,7 @@ public:
     ViewTransform transform;
     Selection selection;
     Bench bench;
+    ShownMap shown_map;  ///< values behind the picture; update() keeps it
     Log log;
     bool panels_visible = true;
     bool quit_requested = false;

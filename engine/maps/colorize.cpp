@@ -16,6 +16,20 @@ constexpr Rgb8 hatch_light{150, 150, 150};
 constexpr Rgb8 hatch_dark{64, 64, 64};
 constexpr Rgb8 magenta{255, 0, 255};
 
+Rgb decoded(const Rgb8& color) {
+    return {srgb_decode(color[0] / 255.0), srgb_decode(color[1] / 255.0), srgb_decode(color[2] / 255.0)};
+}
+
+double largest_value(const Map& map) {
+    double largest = 0.0;
+    for (const MapPixel& pixel : map.pixels) {
+        if (pixel.state == PixelState::defined) largest = std::max(largest, pixel.value);
+    }
+    return largest;
+}
+
+}  // namespace
+
 ColorScale scale_for(Quantity quantity, MapStyle style) {
     const ScaleKind kind = info(quantity).kind;
     if (style == MapStyle::paper || kind == ScaleKind::gray) return ColorScale::gray;
@@ -44,23 +58,13 @@ ColorScale scale_for(Quantity quantity, MapStyle style) {
     return kind == ScaleKind::diverging ? ColorScale::diverging : ColorScale::sequential;
 }
 
-MapRange range_for(const Map& map, const MapOptions& options) {
+MapRange range_for(Quantity quantity, const MapOptions& options, double largest) {
     if (options.range) return *options.range;
-    const QuantityInfo& about = info(map.quantity);
+    const QuantityInfo& about = info(quantity);
     if (about.kind == ScaleKind::gray) return {0.0, std::exp2(-options.exposure)};
     if (!std::isnan(about.high)) return {about.low, about.high};
-    double high = 0.0;
-    for (const MapPixel& pixel : map.pixels) {
-        if (pixel.state == PixelState::defined) high = std::max(high, pixel.value);
-    }
-    return {about.low, high > about.low ? high : 1.0};
+    return {about.low, largest > about.low ? largest : 1.0};
 }
-
-Rgb decoded(const Rgb8& color) {
-    return {srgb_decode(color[0] / 255.0), srgb_decode(color[1] / 255.0), srgb_decode(color[2] / 255.0)};
-}
-
-}  // namespace
 
 Rgb8 state_color(PixelState state, int x, int y) {
     switch (state) {
@@ -97,7 +101,7 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
     colored.picture.width = map.width;
     colored.picture.height = map.height;
     colored.scale = scale;
-    colored.range = range_for(map, options);
+    colored.range = range_for(map.quantity, options, largest_value(map));
     colored.picture.pixels.reserve(map.pixels.size());
     colored.states.reserve(map.pixels.size());
 

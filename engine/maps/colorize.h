@@ -55,6 +55,12 @@ struct ColoredMap {
     bool fades = false;                                        ///< some pixels are drawn with less than full weight
 };
 
+/// The scale that `style` has for `quantity`; of no meaning for color.
+ColorScale scale_for(Quantity quantity, MapStyle style);
+/// Values at the two ends of the scale: of the options, else of QuantityInfo, else from 0 to `largest`, the largest
+/// defined value of the map (0..1 if that is 0 or there is none).
+MapRange range_for(Quantity quantity, const MapOptions& options, double largest);
+
 /// Colors of pixels without a value. `undetermined` is hatched: `x + y` says where.
 Rgb8 state_color(PixelState state, int x, int y);
 /// `color` at a weight between 1 (as it is) and 0 (the gray of `undefined`).

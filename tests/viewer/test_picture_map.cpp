@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shown map is maps::evaluate, whatever slices it is made in.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "known_picture.h"
+#include "maps/evaluate.h"
+#include "viewer/map_look.h"
+#include "viewer/shown_map.h"
+
+namespace pol {
+namespace {
+
+TEST(ShownMap, HasTheValuesOfEvaluate) {
+    Session session;
+    StokesImage image = known_picture();
+    image.stokes[5].s0 = std::numeric_limits<double>::quiet_NaN();
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    const Document& document = *session.current();
+    for (const QuantityInfo& about : quantities()) {
+        if (about.quantity == Quantity::color) continue;
+        session.show(about.quantity);
+        session.shown_map.finish(document, session.view, session.bench);
+        ASSERT_TRUE(session.shown_map.complete());
+        const auto map = evaluate(document.picture(), about.quantity, 0);
+        ASSERT_TRUE(map);
+        std::array<std::size_t, pixel_state_count> states{};
+        for (std::size_t pixel = 0; pixel < map.value().pixels.size(); ++pixel) {
+            const MapPixel& expected = map.value().pixels[pixel];
+            EXPECT_EQ(session.shown_map.states()[pixel], expected.state);
+            if (expected.state == PixelState::defined) {
+                EXPECT_EQ(session.shown_map.values()[pixel], expected.value);
+            }
+            ++states[static_cast<std::size_t>(expected.state)];
+        }
+        EXPECT_EQ(session.shown_map.summary().state, states) << about.name;
+    }
+}
+
+TEST(ShownMap, IsMadeInSlicesAndFollowsMapAndBench) {
+    Session session;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+    session.show(Quantity::dop);
+    const Document& document = *session.current();
+    ShownMap map;
+    int slices = 0;
+    while (!map.complete() || slices == 0) {
+        map.update(document, session.view, session.bench, 0.0);
+        ASSERT_LE(++slices, 12);
+    }
+    EXPECT_EQ(slices, 12) << "a row per slice";
+    EXPECT_NEAR(map.summary().high, 1.0, 1e-6);
+    const std::uint64_t version = map.version();
+    EXPECT_FALSE(map.update(document, session.view, session.bench, 1.0));
+    EXPECT_EQ(map.version(), version) << "nothing changed";
+
+    session.bench.elements.push_back({});
+    map.update(document, session.view, session.bench, 0.0);
+    EXPECT_FALSE(map.complete());
+    map.finish(document, session.view, session.bench);
+    EXPECT_NEAR(map.summary().low, 1.0, 1e-12) << "behind a polarizer all light is polarized";
+}
+
+TEST(MapLook, TakesItsRangeFromTheUserElseFromTheQuantityElseFromTheData) {
+    Session session;
+    StokesImage image = known_picture();
+    image.residual[7] = 0.25;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    session.show(Quantity::residual);
+    session.shown_map.finish(*session.current(), session.view, session.bench);
+    EXPECT_EQ(map_look(session).range.high, 0.25);
+    session.view.range[static_cast<std::size_t>(Quantity::residual)] = MapRange{0.1, 0.2};
+    EXPECT_EQ(map_look(session).range.low, 0.1);
+    session.show(Quantity::azimuth);
+    EXPECT_EQ(map_look(session).range.low, -90.0);
+    EXPECT_EQ(map_look(session).scale, ColorScale::cyclic);
+}
+
+}  // namespace
+}  // namespace pol

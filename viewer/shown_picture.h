@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "film/stokes_image.h"
+#include "maps/pixel_light.h"
+#include "viewer/bench.h"
+
+namespace pol {
+
+/// The picture as the sensor behind the bench sees it. Borrows the picture: made anew for every frame.
+class ShownPicture {
+public:
+    ShownPicture(const StokesImage& picture, const Bench& bench) : picture_(picture) {
+        if (!bench.empty()) train_ = bench.mueller();
+    }
+    /// Requires: indices inside the picture.
+    [[nodiscard]] PixelLight light(std::size_t wavelength, std::size_t pixel) const {
+        const PixelLight light = pixel_light(picture_, wavelength, pixel);
+        return train_ ? behind(*train_, light) : light;
+    }
+    [[nodiscard]] Stokes<double> stokes(std::size_t wavelength, std::size_t pixel) const {
+        const Stokes<double>& s = picture_.at(wavelength, pixel);
+        return train_ ? *train_ * s : s;
+    }
+    [[nodiscard]] const StokesImage& picture() const { return picture_; }
+
+private:
+    const StokesImage& picture_;
+    std::optional<MuellerMatrix<double>> train_;  // none: the light arrives as it is
+};
+
+}  // namespace pol
