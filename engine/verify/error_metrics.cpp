@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/error_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.h"
+#include "core/units.h"
+#include "maps/color_picture.h"
+#include "polarization/measures.h"
+
+namespace pol {
+
+namespace {
+
+bool is_finite(const Stokes<double>& s) {
+    return std::isfinite(s.s0) && std::isfinite(s.s1) && std::isfinite(s.s2) && std::isfinite(s.s3);
+}
+
+/// sqrt(weighted mean of squares) and the distribution of the per-pixel values.
+class Accumulator {
+public:
+    void weigh(double error, double weight) {
+        squares_ += weight * error * error;
+        weights_ += weight;
+    }
+    void list(double error) { errors_.push_back(error); }
+
+    [[nodiscard]] double root_mean() const { return weights_ > 0.0 ? std::sqrt(squares_ / weights_) : 0.0; }
+    /// Per-pixel values divided by `unit`.
+    [[nodiscard]] Metric metric(double whole, double unit) {
+        Metric result;
+        result.whole = whole;
+        if (errors_.empty() || unit == 0.0) return result;
+        const std::size_t rank = (errors_.size() - 1) * 99 / 100;
+        std::nth_element(errors_.begin(), errors_.begin() + static_cast<std::ptrdiff_t>(rank), errors_.end());
+        result.p99 = errors_[rank] / unit;
+        result.largest = *std::max_element(errors_.begin(), errors_.end()) / unit;
+        return result;
+    }
+
+private:
+    double squares_ = 0.0;
+    double weights_ = 0.0;
+    std::vector<double> errors_;
+};
+
+/// Angle between undirected lines at `a` and `b` radians, 0 to pi/2.
+double line_angle(double a, double b) {
+    const double turned = std::abs(a - b);
+    return std::min(turned, pi - turned);
+}
+
+}  // namespace
+
+ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference) {
+    POL_EXPECTS(test.width == reference.width && test.height == reference.height &&
+                test.stokes.size() == reference.stokes.size());
+    constexpr double faint = 1e-3;
+    ErrorMetrics result;
+    double brightest = 0.0;
+    for (const Stokes<double>& s : reference.stokes)
+        if (is_finite(s)) brightest = std::max(brightest, s.s0);
+
+    Accumulator fro, s0, analyzer, dop, azimuth, ellipticity;
+    double fro_of_reference = 0.0;
+    double s0_of_reference = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < reference.stokes.size(); ++i) {
+        const Stokes<double>& r = reference.stokes[i];
+        const Stokes<double>& t = test.stokes[i];
+        if (!is_finite(r) || !is_finite(t)) {
+            ++result.nan_count;
+            continue;
+        }
+        const Stokes<double> d = t - r;
+        const double polarized = polarized_part(r);
+        const double linear = linear_part(r);
+        const double difference = polarized_part(d);
+        fro_of_reference += 0.5 * (r.s0 * r.s0 + polarized * polarized);
+        s0_of_reference += r.s0 * r.s0;
+        count += 1.0;
+        const double fro_error = std::sqrt(0.5 * (d.s0 * d.s0 + difference * difference));
+        fro.weigh(fro_error, 1.0);
+        fro.list(fro_error);
+        s0.weigh(d.s0, 1.0);
+        s0.list(std::abs(d.s0));
+        analyzer.list(0.5 * (std::abs(d.s0) + difference));
+        if (!(r.s0 > 0.0) || !(t.s0 > 0.0)) continue;
+        const Measures<double> of_reference = measure(r);
+        const Measures<double> of_test = measure(t);
+        const double dop_error = std::abs(of_test.dop - of_reference.dop);
+        dop.weigh(dop_error, r.s0);
+        if (r.s0 > faint * brightest) dop.list(dop_error);
+        if (of_reference.has_azimuth && of_test.has_azimuth) {
+            const double angle = line_angle(of_test.azimuth, of_reference.azimuth);
+            azimuth.weigh(angle, linear);
+            if (linear > faint * brightest) azimuth.list(angle);
+        }
+        if (of_reference.has_polarization && of_test.has_polarization) {
+            const double angle = std::abs(of_test.ellipticity_angle - of_reference.ellipticity_angle);
+            ellipticity.weigh(angle, polarized);
+            if (polarized > faint * brightest) ellipticity.list(angle);
+        }
+    }
+    const double fro_unit = count > 0.0 ? std::sqrt(fro_of_reference / count) : 0.0;
+    const double s0_unit = count > 0.0 ? std::sqrt(s0_of_reference / count) : 0.0;
+    result.fro_c = fro.metric(fro_unit > 0.0 ? fro.root_mean() / fro_unit : 0.0, fro_unit);
+    result.rel_rmse_s0 = s0.metric(s0_unit > 0.0 ? s0.root_mean() / s0_unit : 0.0, s0_unit);
+    result.analyzer_inf = analyzer.metric(0.0, 1.0);
+    result.analyzer_inf.whole = result.analyzer_inf.largest;
+    result.dop_w = dop.metric(dop.root_mean(), 1.0);
+    result.azimuth_w = azimuth.metric(azimuth.root_mean(), 1.0);
+    result.ellip_w = ellipticity.metric(ellipticity.root_mean(), 1.0);
+    return result;
+}
+
+BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double slack) {
+    POL_EXPECTS(test.stokes.size() == reference.stokes.size() && test.brightest.size() == test.wavelengths_nm.size());
+    const std::size_t pixels = test.pixel_count();
+    BoundCoverage result;
+    std::vector<double> ratios;
+    std::size_t inside = 0;
+    double sum = 0.0;
+    for (std::size_t w = 0; w < test.wavelengths_nm.size(); ++w) {
+        for (std::size_t p = 0; p < pixels; ++p) {
+            const double share = test.plane_value(test.residual, w, p) + test.plane_value(test.tail, w, p);
+            const double bound = share * test.brightest[w];
+            const double error = std::abs(test.at(w, p).s0 - reference.at(w, p).s0);
+            if (error <= bound + slack) ++inside;
+            if (bound > slack) ratios.push_back(error / bound);
+            sum += share;
+            result.largest = std::max(result.largest, share);
+        }
+    }
+    const auto all = static_cast<double>(test.stokes.size());
+    result.covered = static_cast<double>(inside) / all;
+    result.mean = sum / all;
+    if (!ratios.empty()) {
+        const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+        std::nth_element(ratios.begin(), middle, ratios.end());
+        result.ratio = *middle;
+    }
+    return result;
+}
+
+double color_difference(const StokesImage& test, const StokesImage& reference) {
+    POL_EXPECTS(test.width == reference.width && test.height == reference.height);
+    const std::vector<Rgb> a = color_picture(test);
+    const std::vector<Rgb> b = color_picture(reference);
+    double difference = 0.0;
+    double size = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            difference += (a[i][c] - b[i][c]) * (a[i][c] - b[i][c]);
+            size += b[i][c] * b[i][c];
+        }
+    }
+    return size > 0.0 ? std::sqrt(difference / size) : 0.0;
+}
+
+StokesImage every_second_wavelength(const StokesImage& picture) {
+    StokesImage result;
+    result.width = picture.width;
+    result.height = picture.height;
+    const auto pixels = static_cast<std::ptrdiff_t>(picture.pixel_count());
+    for (std::size_t w = 0; w < picture.wavelengths_nm.size(); w += 2) {
+        result.wavelengths_nm.push_back(picture.wavelengths_nm[w]);
+        const auto plane = picture.stokes.begin() + static_cast<std::ptrdiff_t>(w) * pixels;
+        result.stokes.insert(result.stokes.end(), plane, plane + pixels);
+    }
+    return result;
+}
+
+}  // namespace pol

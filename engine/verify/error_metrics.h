@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a picture is from another one, in numbers that suit polarization (performance.md 3.1).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "film/stokes_image.h"
+
+namespace pol {
+
+/// One way to measure an error: over the whole picture, and per pixel at the 99th percentile and at worst.
+struct Metric {
+    double whole = 0.0;
+    double p99 = 0.0;
+    double largest = 0.0;
+};
+
+/// Test picture minus reference over all wavelengths and all pixels. dC is the difference of coherence matrices, s the
+/// polarized part (S1, S2, S3), p the degree of polarization, l the linear part, all of the reference where they are
+/// weights.
+struct ErrorMetrics {
+    /// sqrt(mean |dC|_F^2) / sqrt(mean |C|_F^2), |C|_F^2 = (S0^2 + |s|^2)/2: independent of the transverse basis. The
+    /// primary metric. Per pixel: |dC|_F over the same denominator.
+    Metric fro_c;
+    /// sqrt(mean dS0^2) / sqrt(mean S0^2). Per pixel: |dS0| over the same denominator.
+    Metric rel_rmse_s0;
+    /// (|dS0| + |ds|)/2, the spectral norm of dC: worst error of any intensity behind any polarizer, in units of S0.
+    /// `whole` is the largest one.
+    Metric analyzer_inf;
+    /// sqrt(sum S0 dp^2 / sum S0). Per pixel: |dp| where S0 > 1e-3 of the largest.
+    Metric dop_w;
+    /// sqrt(sum l d^2 / sum l), d the angle between the azimuths as undirected lines, radians. Per pixel: d where
+    /// l > 1e-3 of the largest S0.
+    Metric azimuth_w;
+    /// sqrt(sum |s| dchi^2 / sum |s|), chi the ellipticity angle, radians. Per pixel: |dchi| where |s| > 1e-3 of the
+    /// largest S0.
+    Metric ellip_w;
+    std::size_t nan_count = 0;  ///< numbers that are not finite in either picture; they are left out of the sums
+};
+
+/// The metrics by name, in the order of the columns of runs.csv.
+struct NamedMetric {
+    std::string_view name;
+    Metric ErrorMetrics::*metric;
+    std::string_view unit;  ///< empty: a pure number
+};
+inline constexpr std::array<NamedMetric, 6> named_metrics{{{"fro_c", &ErrorMetrics::fro_c, ""},
+                                                           {"rel_rmse_s0", &ErrorMetrics::rel_rmse_s0, ""},
+                                                           {"analyzer_inf", &ErrorMetrics::analyzer_inf, "S0"},
+                                                           {"dop_w", &ErrorMetrics::dop_w, ""},
+                                                           {"azimuth_w", &ErrorMetrics::azimuth_w, "rad"},
+                                                           {"ellip_w", &ErrorMetrics::ellip_w, "rad"}}};
+
+/// Requires: same size and same number of wavelengths.
+ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference);
+
+/// Does the picture's own bound hold the truth, and how tight is it?
+struct BoundCoverage {
+    double covered = 1.0;  ///< share of pixels with |dS0| <= (residual + tail) brightest, 0 to 1
+    double ratio = 0.0;    ///< median of |dS0| / bound over pixels with a bound above `slack`
+    double mean = 0.0;     ///< mean bound relative to brightest
+    double largest = 0.0;  ///< largest bound relative to brightest
+};
+
+/// `slack`: what the reference itself may be off by, in units of S0, added to every bound. Requires: as error_metrics;
+/// both pictures trace the same samples, so that they differ by what was cut alone.
+BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double slack);
+
+/// sqrt(mean |dRGB|^2 / mean |RGB|^2) of the color pictures (CIE 1931 observer, linear sRGB), whose sets of wavelengths
+/// may differ. Requires: same size.
+double color_difference(const StokesImage& test, const StokesImage& reference);
+
+/// Every second wavelength, first and last included where their number is odd: a nested set.
+StokesImage every_second_wavelength(const StokesImage& picture);
+
+}  // namespace pol

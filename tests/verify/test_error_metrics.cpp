@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Metrics of pictures of which the error is known by construction (performance.md 3.1).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/units.h"
+#include "verify/error_metrics.h"
+
+namespace pol {
+namespace {
+
+StokesImage picture_of(std::vector<Stokes<double>> pixels) {
+    StokesImage image;
+    image.width = static_cast<int>(pixels.size());
+    image.height = 1;
+    image.wavelengths_nm = {580.0};
+    image.stokes = std::move(pixels);
+    image.brightest = {1.0};
+    return image;
+}
+
+/// A few roundings of numbers around 1.
+constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
+
+TEST(ErrorMetrics, APictureHasNoDistanceFromItself) {
+    const StokesImage image = picture_of({{1.0, 0.3, -0.2, 0.1}, {0.0, 0.0, 0.0, 0.0}});
+    const ErrorMetrics metrics = error_metrics(image, image);
+    for (const NamedMetric& named : named_metrics) {
+        EXPECT_EQ((metrics.*named.metric).whole, 0.0) << named.name;
+        EXPECT_EQ((metrics.*named.metric).largest, 0.0) << named.name;
+    }
+}
+
+// Both numerator and denominator of fro_c are norms: a picture scaled by 1 + f is off by f in fro_c and in S0, and by
+// nothing in degree, azimuth and ellipticity.
+TEST(ErrorMetrics, ABrighterPictureIsOffInIntensityAlone) {
+    const StokesImage reference = picture_of({{1.0, 0.3, -0.2, 0.1}, {0.5, -0.1, 0.4, 0.2}});
+    StokesImage brighter = reference;
+    for (Stokes<double>& s : brighter.stokes) s = 1.25 * s;
+    const ErrorMetrics metrics = error_metrics(brighter, reference);
+    EXPECT_NEAR(metrics.fro_c.whole, 0.25, rounding);
+    EXPECT_NEAR(metrics.rel_rmse_s0.whole, 0.25, rounding);
+    EXPECT_NEAR(metrics.dop_w.whole, 0.0, rounding);
+    EXPECT_NEAR(metrics.azimuth_w.whole, 0.0, rounding);
+    EXPECT_NEAR(metrics.ellip_w.whole, 0.0, rounding);
+}
+
+// Crossed linear states: |dC|_F^2 = 2 for |C|_F^2 = 1; an analyzer along the one reads 1 instead of 0; the azimuths are
+// 90 degrees apart, the largest angle between undirected lines.
+TEST(ErrorMetrics, CrossedLinearStatesAreAsFarApartAsCanBe) {
+    const ErrorMetrics metrics =
+        error_metrics(picture_of({{1.0, -1.0, 0.0, 0.0}}), picture_of({{1.0, 1.0, 0.0, 0.0}}));
+    EXPECT_NEAR(metrics.fro_c.whole, std::sqrt(2.0), rounding);
+    EXPECT_NEAR(metrics.analyzer_inf.whole, 1.0, rounding);
+    EXPECT_NEAR(metrics.azimuth_w.whole, pi / 2.0, rounding);
+    EXPECT_EQ(metrics.rel_rmse_s0.whole, 0.0);
+    EXPECT_EQ(metrics.dop_w.whole, 0.0);
+}
+
+// Azimuths of 89 and -89 degrees are 2 degrees apart, not 178.
+TEST(ErrorMetrics, AzimuthsAreComparedAsLines) {
+    const auto linear_at = [](double angle) {
+        return Stokes<double>{1.0, std::cos(2.0 * angle), std::sin(2.0 * angle), 0.0};
+    };
+    const ErrorMetrics metrics = error_metrics(picture_of({linear_at(radians(89.0))}), picture_of({linear_at(radians(-89.0))}));
+    EXPECT_NEAR(metrics.azimuth_w.whole, radians(2.0), rounding);
+}
+
+// The same error seen in a turned frame has the same fro_c: the Frobenius norm does not know the basis.
+TEST(ErrorMetrics, ThePrimaryMetricDoesNotDependOnTheFrame) {
+    const std::vector<Stokes<double>> test{{1.0, 0.3, -0.2, 0.1}, {0.5, -0.1, 0.4, 0.2}};
+    const std::vector<Stokes<double>> reference{{0.9, 0.1, -0.25, 0.15}, {0.6, -0.2, 0.35, 0.1}};
+    const auto turned = [](std::vector<Stokes<double>> pixels) {
+        for (Stokes<double>& s : pixels) s = rotate_basis(s, 0.7);
+        return picture_of(std::move(pixels));
+    };
+    EXPECT_NEAR(error_metrics(picture_of(test), picture_of(reference)).fro_c.whole,
+                error_metrics(turned(test), turned(reference)).fro_c.whole, rounding);
+}
+
+TEST(ErrorMetrics, NumbersThatAreNoneAreCountedAndLeftOut) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const ErrorMetrics metrics = error_metrics(picture_of({{nan, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}),
+                                               picture_of({{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}));
+    EXPECT_EQ(metrics.nan_count, 1U);
+    EXPECT_EQ(metrics.fro_c.whole, 0.0);
+}
+
+TEST(BoundCoverage, CountsPixelsWhoseErrorExceedsTheirResidual) {
+    StokesImage test = picture_of({{0.95, 0.0, 0.0, 0.0}, {0.80, 0.0, 0.0, 0.0}});
+    test.residual = {0.1, 0.1};
+    const BoundCoverage coverage =
+        bound_coverage(test, picture_of({{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}), 1e-6);
+    EXPECT_EQ(coverage.covered, 0.5);
+    EXPECT_EQ(coverage.largest, 0.1);
+}
+
+// A spectrum that is linear in wavelength is integrated exactly by the trapezoid rule on any nested set only if the
+// observer were constant; here the spectrum is D65-like flat, where every set is normalised to the same white.
+TEST(ColorDifference, ANestedSetOfAFlatSpectrumLosesLessThanTheFullSetDiffersFromAnother) {
+    StokesImage flat;
+    flat.width = flat.height = 1;
+    for (int w = 380; w <= 780; w += 20) {
+        flat.wavelengths_nm.push_back(w);
+        flat.stokes.push_back({1.0, 0.0, 0.0, 0.0});
+    }
+    const StokesImage half = every_second_wavelength(flat);
+    EXPECT_EQ(half.wavelengths_nm.size(), 11U);
+    EXPECT_EQ(half.wavelengths_nm.back(), 780.0);
+    EXPECT_EQ(color_difference(flat, flat), 0.0);
+    EXPECT_GT(color_difference(half, flat), 0.0);
+}
+
+}  // namespace
+}  // namespace pol
