@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/converge_command.h"
 #include "cli/explain_command.h"
 #include "cli/interface_command.h"
 #include "cli/maps_command.h"
@@ -67,6 +68,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     add_explain_command(app, exit_code);
     add_interface_command(app, exit_code);
     add_plan_command(app, exit_code);
+    add_converge_command(app, exit_code);
     for (const AddCommand add : more) add(app, exit_code);
     try {
         app.parse(argc, argv);

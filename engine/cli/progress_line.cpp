@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -16,9 +17,8 @@ namespace {
 constexpr const char* erase_line = "\r\033[K";
 
 /// Below a second the rest is done before it is read.
-std::string time_left(double done, double elapsed) {
-    if (done <= 0.0 || done >= 1.0) return {};
-    const double seconds = elapsed / done - elapsed;
+std::string time_left(double done, double seconds) {
+    if (done <= 0.0 || done >= 1.0 || std::isnan(seconds)) return {};
     return fmt::format(", {} left", seconds < 1.0 ? "less than 1 s" : duration_text(seconds));
 }
 
@@ -27,10 +27,14 @@ std::string time_left(double done, double elapsed) {
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
 
 void ProgressLine::show(double done, double elapsed) {
+    show(done, elapsed / done - elapsed, {});
+}
+
+void ProgressLine::show(double done, double seconds_left, const std::string& doing) {
     if (quiet_ || (!terminal_ && done < shown_ + 0.1)) return;
     shown_ = done;
-    fmt::print("{}progress {:.1f}%{}{}", terminal_ ? erase_line : "", 100.0 * done, time_left(done, elapsed),
-               terminal_ ? "" : "\n");
+    fmt::print("{}progress {:.1f}%{}{}{}{}", terminal_ ? erase_line : "", 100.0 * done, time_left(done, seconds_left),
+               doing.empty() ? "" : ": ", doing, terminal_ ? "" : "\n");
     std::fflush(stdout);
 }
 

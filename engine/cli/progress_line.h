@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 namespace pol {
 
 /// How far a render is, on stdout: one line that is rewritten in place on a terminal, else a new line whenever a tenth
@@ -11,6 +13,9 @@ public:
 
     /// `done` from 0 to 1 after `elapsed` seconds; the time left assumes that the rest is as hard as what is done.
     void show(double done, double elapsed);
+
+    /// The same where the time left is known better; NaN: not known yet. `doing` is what is being done.
+    void show(double done, double seconds_left, const std::string& doing);
 
     /// Frees the line for what follows: on a terminal it disappears.
     void finish();

@@ -19,11 +19,11 @@ namespace {
 /// Shape of a solid in world space: half-spaces where it is flat-faced and convex, else a sphere or a mesh.
 using SolidShape = std::variant<HalfSpaceSolid, Sphere, MeshBody>;
 
-Result<SolidShape> from_mesh(const Mesh& object_mesh, const DMat4& to_world) {
+Result<SolidShape> from_mesh(const Mesh& object_mesh, const DMat4& to_world, SolidKernel kernel) {
     auto mesh = transformed(object_mesh, to_world);
     if (!mesh) return mesh.error();
     const bool closed = static_cast<bool>(check_closed(mesh.value()));
-    if (closed && is_convex(mesh.value())) {
+    if (kernel == SolidKernel::half_spaces && closed && is_convex(mesh.value())) {
         auto solid = HalfSpaceSolid::from_mesh(std::move(mesh).value());
         if (!solid) return solid.error();
         return SolidShape{std::move(solid).value()};
@@ -31,7 +31,7 @@ Result<SolidShape> from_mesh(const Mesh& object_mesh, const DMat4& to_world) {
     return SolidShape{MeshBody{std::move(mesh).value(), closed}};
 }
 
-Result<SolidShape> solid_shape(const Object& object) {
+Result<SolidShape> solid_shape(const Object& object, SolidKernel kernel) {
     if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
         auto made = make_sphere(*sphere, object.to_world);
         if (!made) return made.error();
@@ -39,16 +39,16 @@ Result<SolidShape> solid_shape(const Object& object) {
     }
     if (const auto* file = std::get_if<MeshShape>(&object.shape)) {
         POL_EXPECTS(file->mesh != nullptr);
-        return from_mesh(*file->mesh, object.to_world);
+        return from_mesh(*file->mesh, object.to_world, kernel);
     }
     auto mesh = make_mesh(object.shape);
     if (!mesh) return mesh.error();
-    return from_mesh(mesh.value(), object.to_world);
+    return from_mesh(mesh.value(), object.to_world, kernel);
 }
 
 Result<Done> add_solid(const Scene& scene, const Object& object, int index, const FilledWith& filling,
-                       MediaTable& media, Plan& plan) {
-    auto shape = solid_shape(object);
+                       SolidKernel kernel, MediaTable& media, Plan& plan) {
+    auto shape = solid_shape(object, kernel);
     if (!shape) return at_place(shape.error(), scene, object.place);
     if (const auto* mesh = std::get_if<MeshBody>(&shape.value()); mesh != nullptr && !mesh->closed) {
         Error error = check_closed(mesh->mesh).error();
@@ -63,7 +63,7 @@ Result<Done> add_solid(const Scene& scene, const Object& object, int index, cons
     return Done{};
 }
 
-Result<Done> add_surface(const Scene& scene, const Object& object, int index, Plan& plan) {
+Result<Done> add_surface(const Scene& scene, const Object& object, int index, SolidKernel kernel, Plan& plan) {
     Surface surface{object.name, index, Sphere{}, AbsorberRole{}};
     const auto open = [&](const auto& shape) -> Result<Done> {
         auto made = OpenSurface::from(shape, object.to_world);
@@ -76,7 +76,7 @@ Result<Done> add_surface(const Scene& scene, const Object& object, int index, Pl
                        [&](const RectangleShape& s) { return open(s); },
                        [&](const DiskShape& s) { return open(s); },
                        [&](const auto&) -> Result<Done> {
-                           auto shape = solid_shape(object);
+                           auto shape = solid_shape(object, kernel);
                            if (!shape) return shape.error();
                            std::visit([&](auto& s) { surface.shape = std::move(s); }, shape.value());
                            return Done{};
@@ -164,7 +164,7 @@ Result<Done> place_camera(const Scene& scene, Plan& plan) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Plan>> compile(const Scene& scene) {
+Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kernel) {
     auto plan = std::make_shared<Plan>();
     plan->settings = scene.render;
     plan->title = scene.title;
@@ -179,8 +179,8 @@ Result<std::shared_ptr<const Plan>> compile(const Scene& scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const auto* filling = std::get_if<FilledWith>(&object.role);
-        auto done = filling != nullptr ? add_solid(scene, object, static_cast<int>(i), *filling, media, *plan)
-                                       : add_surface(scene, object, static_cast<int>(i), *plan);
+        auto done = filling != nullptr ? add_solid(scene, object, static_cast<int>(i), *filling, kernel, media, *plan)
+                                       : add_surface(scene, object, static_cast<int>(i), kernel, *plan);
         if (!done) return done.error();
     }
     plan->length_scale = extent(*plan);

@@ -9,7 +9,7 @@
 #include "maps/color_picture.h"
 #include "polarization/measures.h"
 
-namespace pol {
+namespace pol::verify {
 
 namespace {
 
@@ -172,4 +172,4 @@ StokesImage every_second_wavelength(const StokesImage& picture) {
     return result;
 }
 
-}  // namespace pol
+}  // namespace pol::verify

@@ -9,7 +9,7 @@
 
 #include "film/stokes_image.h"
 
-namespace pol {
+namespace pol::verify {
 
 /// One way to measure an error: over the whole picture, and per pixel at the 99th percentile and at worst.
 struct Metric {
@@ -76,4 +76,4 @@ double color_difference(const StokesImage& test, const StokesImage& reference);
 /// Every second wavelength, first and last included where their number is odd: a nested set.
 StokesImage every_second_wavelength(const StokesImage& picture);
 
-}  // namespace pol
+}  // namespace pol::verify

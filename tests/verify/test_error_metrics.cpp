@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "core/units.h"
+#include "polarization/coherence_matrix.h"
 #include "verify/error_metrics.h"
 
-namespace pol {
+namespace pol::verify {
 namespace {
 
 StokesImage picture_of(std::vector<Stokes<double>> pixels) {
@@ -50,8 +51,7 @@ TEST(ErrorMetrics, ABrighterPictureIsOffInIntensityAlone) {
 // Crossed linear states: |dC|_F^2 = 2 for |C|_F^2 = 1; an analyzer along the one reads 1 instead of 0; the azimuths are
 // 90 degrees apart, the largest angle between undirected lines.
 TEST(ErrorMetrics, CrossedLinearStatesAreAsFarApartAsCanBe) {
-    const ErrorMetrics metrics =
-        error_metrics(picture_of({{1.0, -1.0, 0.0, 0.0}}), picture_of({{1.0, 1.0, 0.0, 0.0}}));
+    const ErrorMetrics metrics = error_metrics(picture_of({{1.0, -1.0, 0.0, 0.0}}), picture_of({{1.0, 1.0, 0.0, 0.0}}));
     EXPECT_NEAR(metrics.fro_c.whole, std::sqrt(2.0), rounding);
     EXPECT_NEAR(metrics.analyzer_inf.whole, 1.0, rounding);
     EXPECT_NEAR(metrics.azimuth_w.whole, pi / 2.0, rounding);
@@ -64,7 +64,8 @@ TEST(ErrorMetrics, AzimuthsAreComparedAsLines) {
     const auto linear_at = [](double angle) {
         return Stokes<double>{1.0, std::cos(2.0 * angle), std::sin(2.0 * angle), 0.0};
     };
-    const ErrorMetrics metrics = error_metrics(picture_of({linear_at(radians(89.0))}), picture_of({linear_at(radians(-89.0))}));
+    const ErrorMetrics metrics =
+        error_metrics(picture_of({linear_at(radians(89.0))}), picture_of({linear_at(radians(-89.0))}));
     EXPECT_NEAR(metrics.azimuth_w.whole, radians(2.0), rounding);
 }
 
@@ -91,15 +92,13 @@ TEST(ErrorMetrics, NumbersThatAreNoneAreCountedAndLeftOut) {
 TEST(BoundCoverage, CountsPixelsWhoseErrorExceedsTheirResidual) {
     StokesImage test = picture_of({{0.95, 0.0, 0.0, 0.0}, {0.80, 0.0, 0.0, 0.0}});
     test.residual = {0.1, 0.1};
-    const BoundCoverage coverage =
-        bound_coverage(test, picture_of({{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}), 1e-6);
+    const BoundCoverage coverage = bound_coverage(test, picture_of({{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}), 1e-6);
     EXPECT_EQ(coverage.covered, 0.5);
     EXPECT_EQ(coverage.largest, 0.1);
 }
 
-// A spectrum that is linear in wavelength is integrated exactly by the trapezoid rule on any nested set only if the
-// observer were constant; here the spectrum is D65-like flat, where every set is normalised to the same white.
-TEST(ColorDifference, ANestedSetOfAFlatSpectrumLosesLessThanTheFullSetDiffersFromAnother) {
+// A nested set keeps both ends of the range; the same light seen at fewer wavelengths has another color.
+TEST(ColorDifference, ANestedSetOfWavelengthsKeepsItsEndsAndShiftsTheColor) {
     StokesImage flat;
     flat.width = flat.height = 1;
     for (int w = 380; w <= 780; w += 20) {
@@ -114,4 +113,4 @@ TEST(ColorDifference, ANestedSetOfAFlatSpectrumLosesLessThanTheFullSetDiffersFro
 }
 
 }  // namespace
-}  // namespace pol
+}  // namespace pol::verify

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/converge_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/progress_line.h"
+#include "cli/report.h"
+#include "cli/scene_options.h"
+#include "render/renderer.h"
+#include "verify/convergence.h"
+#include "verify/convergence_summary.h"
+
+namespace pol {
+
+namespace {
+
+struct ConvergeRequest {
+    SceneOptions scene;
+    std::string folder;
+    std::string reference;
+    std::optional<int> threads;
+    int seeds = 5;
+    bool quiet = false;
+};
+
+volatile std::sig_atomic_t caught_signal = 0;
+
+void remember_signal(int signal) {
+    caught_signal = signal;
+}
+
+/// Curves are about the shape of error against time, which a small picture shows as well as a large one.
+void shrink(RenderSettings& settings) {
+    constexpr int longest_side = 96;
+    const int longest = std::max(settings.width, settings.height);
+    if (longest <= longest_side) return;
+    const auto scaled = [&](int side) {
+        return std::max(1, static_cast<int>(std::lround(static_cast<double>(side) * longest_side / longest)));
+    };
+    settings.width = scaled(settings.width);
+    settings.height = scaled(settings.height);
+}
+
+std::string number_or_dash(double value, const char* format = "{:.2e}") {
+    return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
+}
+
+void print_summary(const verify::ConvergenceResult& result, const std::filesystem::path& folder) {
+    const auto curves = verify::curves(result.rows);
+    fmt::print("reference: {}; its own error {:.1e}\n\n", result.reference_id, result.reference_error);
+    fmt::print("{:<34} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "setting (median of seeds)", "error", "from", "to",
+               "bound", "CPU s", "");
+    for (const verify::Curve& curve : curves) {
+        fmt::print("{}{}\n", curve.series,
+                   curve.slope ? fmt::format(": error falls as time^{:.2f}", *curve.slope) : std::string());
+        for (const verify::CurvePoint& p : curve.points)
+            fmt::print("  {:<32} {:>9.2e} {:>9.2e} {:>9.2e} {:>9} {:>9.3g}  {}\n", p.setting, p.error, p.error_low,
+                       p.error_high, number_or_dash(p.bound), p.cpu_s, p.below_floor ? "below the floor" : "");
+    }
+    fmt::print("\ncheapest setting for an error (fro_c) of\n");
+    for (const verify::Cheapest& best : verify::cheapest(curves, {1e-1, 1e-2, 1e-3}))
+        fmt::print("  {:<7g} {}\n", best.error,
+                   best.point ? fmt::format("{}: {} ({}, {:.3g} CPU s, error {:.2e})", best.series, best.point->setting,
+                                            duration_text(best.point->wall_s), best.point->cpu_s, best.point->error)
+                              : std::string("not reached by any setting"));
+    fmt::print("\n{:<34} {:>11} {:>11} {:>11} {:>11}\n", "error taken apart", "truncation", "its bound", "sampling",
+               "spectral");
+    for (const verify::ErrorBudget& budget : verify::error_budgets(result.rows))
+        fmt::print("  {:<32} {:>11} {:>11} {:>11} {:>11}\n", budget.setting, number_or_dash(budget.truncation),
+                   number_or_dash(budget.truncation_bound), number_or_dash(budget.sampling),
+                   number_or_dash(budget.spectral));
+    const double coverage = verify::worst_bound_coverage(result.rows);
+    if (!std::isnan(coverage))
+        fmt::print("\nbounds hold in {:.2f} % of the pixels (must be 100.00)\n", 100.0 * coverage);
+    fmt::print("{}\n", printable((folder / "runs.csv").string()));
+}
+
+std::optional<Error> unusable(const ConvergeRequest& request) {
+    if (request.threads && (*request.threads < 1 || *request.threads > 1024))
+        return Error{
+            ErrorKind::usage, fmt::format("{} threads cannot work", *request.threads), {}, "--threads", "1 to 1024"};
+    if (request.seeds < 1 || request.seeds > 1000)
+        return Error{ErrorKind::usage,
+                     fmt::format("{} seeds make no curve", request.seeds),
+                     {},
+                     "--seeds",
+                     "1 to 1000; at least 5 for a band worth looking at"};
+    std::error_code status;
+    std::filesystem::create_directories(request.folder, status);
+    if (status || !std::filesystem::is_directory(request.folder))
+        return Error{ErrorKind::output,
+                     "'" + request.folder + "' cannot be made a folder: " + status.message(),
+                     {},
+                     "-o",
+                     "name a folder that can be written to"};
+    return std::nullopt;
+}
+
+int run(const ConvergeRequest& request) {
+    if (const auto problem = unusable(request)) return report(*problem);
+    auto scene = load_scene_with(request.scene);
+    if (!scene) return report(scene.error());
+    verify::ConvergenceRequest work;
+    work.scene = std::move(scene).value();
+    if (!request.scene.size && request.reference.empty()) shrink(work.scene.render);
+    work.scene_name = std::filesystem::path(request.scene.scene).filename().string();
+    work.folder = request.folder;
+    if (!request.reference.empty()) work.reference = request.reference;
+    work.threads = request.threads.value_or(hardware_threads());
+    work.seeds = request.seeds;
+    work.tool_version = POL_VERSION;
+
+    std::signal(SIGINT, remember_signal);
+    std::signal(SIGTERM, remember_signal);
+    ProgressLine line(request.quiet);
+    const auto result = verify::converge(work, [&](const verify::ConvergenceProgress& progress) {
+        line.show(static_cast<double>(progress.done) / std::max(1, progress.all), progress.seconds_left,
+                  progress.doing);
+        return caught_signal == 0;
+    });
+    line.finish();
+    if (!result) return report(result.error());
+    if (result.value().rows.empty()) return 128 + static_cast<int>(caught_signal);
+    print_summary(result.value(), request.folder);
+    if (!result.value().complete) {
+        fmt::print(stderr, "polariscope: stopped; the same command goes on where it was\n");
+        return 128 + static_cast<int>(caught_signal);
+    }
+    constexpr int self_check_failed = 5;
+    const double coverage = verify::worst_bound_coverage(result.value().rows);
+    return coverage < 1.0 ? self_check_failed : 0;
+}
+
+}  // namespace
+
+void add_converge_command(CLI::App& app, int& exit_code) {
+    auto request = std::make_shared<ConvergeRequest>();
+    CLI::App* command = app.add_subcommand("converge", "Measure error against run time over many settings of a scene");
+    add_scene_options(*command, request->scene);
+    command->add_option("-o,--output", request->folder, "Folder for runs.csv, reference.exr and the report")
+        ->required();
+    command->add_option("--reference", request->reference, "Stokes picture to measure against instead of our own");
+    command->add_option("--seeds", request->seeds, "Runs of each setting, with different random numbers")
+        ->capture_default_str();
+    command->add_option("--threads", request->threads, "Worker threads (default: all cores)");
+    command->add_flag("--quiet", request->quiet, "No progress");
+    command->footer(
+        "Turns residual, samples, depth, branches and wavelengths one at a time. Without --size the longer side of "
+        "the\n"
+        "picture is cut to 96 pixels. Ctrl-C keeps the finished runs; the same command then goes on.\n"
+        "Exit code 5: a bound did not hold.\n"
+        "\nExamples:\n"
+        "  polariscope converge assets/scenes/paper-glass-unpolarized.yaml -o glass\n"
+        "  polariscope converge assets/scenes/paper-glass-unpolarized.yaml -o aa --mode area --wavelengths 380:780:20");
+    command->callback([request, &exit_code] { exit_code = run(*request); });
+}
+
+}  // namespace pol

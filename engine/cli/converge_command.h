@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace pol {
+
+void add_converge_command(CLI::App& app, int& exit_code);
+
+}  // namespace pol

@@ -1,0 +1,484 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/convergence.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "core/contract.h"
+#include "core/number_text.h"
+#include "io/exr_file.h"
+#include "io/input_file.h"
+#include "io/output_file.h"
+#include "io/scene_hash.h"
+#include "plan/compile.h"
+#include "polarization/measures.h"
+#include "render/renderer.h"
+#include "verify/machine.h"
+
+namespace pol::verify {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Root mean square of |C|_F over the picture: the unit of fro_c.
+double rms_of_matrix(const StokesImage& image) {
+    double sum = 0.0;
+    for (const Stokes<double>& s : image.stokes) {
+        const double polarized = polarized_part(s);
+        sum += 0.5 * (s.s0 * s.s0 + polarized * polarized);
+    }
+    return image.stokes.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(image.stokes.size()));
+}
+
+/// A bound on the light is a bound on |dC|_F (performance.md 3.3): its root mean square, in the unit of fro_c, is never
+/// below fro_c of the truncation.
+double relative_bound(const StokesImage& image, const StokesImage& reference) {
+    double sum = 0.0;
+    const std::size_t pixels = image.pixel_count();
+    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
+        for (std::size_t p = 0; p < pixels; ++p) {
+            const double bound =
+                (image.plane_value(image.residual, w, p) + image.plane_value(image.tail, w, p)) * image.brightest[w];
+            sum += bound * bound;
+        }
+    }
+    const double rms = rms_of_matrix(reference);
+    return rms > 0.0 ? std::sqrt(sum / static_cast<double>(image.stokes.size())) / rms : 0.0;
+}
+
+StokesImage mean_of(const StokesImage& a, const StokesImage& b) {
+    StokesImage mean = a;
+    for (std::size_t i = 0; i < mean.stokes.size(); ++i) mean.stokes[i] = 0.5 * (a.stokes[i] + b.stokes[i]);
+    for (std::size_t i = 0; i < mean.residual.size(); ++i) mean.residual[i] = 0.5 * (a.residual[i] + b.residual[i]);
+    if (a.tail.size() == b.tail.size())
+        for (std::size_t i = 0; i < mean.tail.size(); ++i) mean.tail[i] = 0.5 * (a.tail[i] + b.tail[i]);
+    return mean;
+}
+
+/// The wavelengths of `picture` that are in `wavelengths_nm`, in that order. Requires: all are.
+StokesImage at_wavelengths(const StokesImage& picture, const std::vector<double>& wavelengths_nm) {
+    if (picture.wavelengths_nm == wavelengths_nm) return picture;
+    StokesImage part = picture;
+    part.wavelengths_nm = wavelengths_nm;
+    part.stokes.clear();
+    part.residual.clear();
+    part.tail.clear();
+    part.brightest.clear();
+    const auto pixels = static_cast<std::ptrdiff_t>(picture.pixel_count());
+    for (const double wavelength : wavelengths_nm) {
+        const auto found = std::find(picture.wavelengths_nm.begin(), picture.wavelengths_nm.end(), wavelength);
+        POL_EXPECTS(found != picture.wavelengths_nm.end());
+        const auto plane = picture.stokes.begin() + (found - picture.wavelengths_nm.begin()) * pixels;
+        part.stokes.insert(part.stokes.end(), plane, plane + pixels);
+    }
+    return part;
+}
+
+struct Shot {
+    StokesImage image;
+    RenderStatistics statistics{};
+    double compile_s = 0.0;
+    double wall_s = 0.0;
+    double cpu_s = 0.0;
+};
+
+class Sweep {
+public:
+    Sweep(const ConvergenceRequest& request, const ConvergenceWatch& watch)
+        : request_(request), watch_(watch), hash_(scene_hash(request.scene)), cpu_(cpu_name()) {}
+
+    Result<ConvergenceResult> run();
+
+private:
+    /// Empty when the user stops it; an error if the scene does not compile.
+    Result<std::optional<Shot>> shoot(const RenderSettings& settings, SolidKernel kernel);
+    Result<Done> find_reference();
+    Result<Done> load_rows();
+    Result<Done> store_rows();
+    Result<bool> measure_setting(const RunSetting& setting, std::uint64_t seed);
+    [[nodiscard]] const RunRow* row_of(const RunSetting& setting, std::uint64_t seed) const;
+    bool tell(const std::string& doing);
+    [[nodiscard]] std::filesystem::path file(const char* name) const { return request_.folder / name; }
+    Result<const StokesImage*> deeper_than(const RenderSettings& settings);
+    void fill_errors(RunRow& row, const Shot& shot, const RenderSettings& settings, bool first_seed);
+
+    const ConvergenceRequest& request_;
+    const ConvergenceWatch& watch_;
+    std::string hash_;
+    std::string cpu_;
+    std::vector<RunSetting> settings_;
+    ConvergenceResult result_;
+    StokesImage reference_;
+    bool stopped_ = false;
+    std::map<int, StokesImage> deeper_;            ///< by samples per pixel
+    std::map<std::string, StokesImage> previous_;  ///< picture of the seed before, by setting
+    std::map<std::string, double> seconds_;        ///< what one measurement of a setting takes
+    std::string doing_;
+};
+
+std::string key_of(const RunSetting& setting) {
+    const RenderSettings& s = setting.settings;
+    return setting.series + "|" + number_text(s.residual) + "|" + (s.depth ? std::to_string(*s.depth) : "-") + "|" +
+           std::to_string(s.node_budget) + "|" + std::to_string(s.samples_per_pixel) + "|" +
+           std::to_string(s.wavelengths_nm.size());
+}
+
+bool Sweep::tell(const std::string& doing) {
+    doing_ = doing;
+    ConvergenceProgress progress;
+    progress.all = static_cast<int>(settings_.size()) * request_.seeds;
+    progress.done = static_cast<int>(result_.rows.size());
+    progress.doing = doing;
+    // A setting that was not timed yet is taken to last as long as the mean of those that were.
+    double known = 0.0;
+    for (const auto& [key, seconds] : seconds_) known += seconds;
+    if (!seconds_.empty()) {
+        const double mean = known / static_cast<double>(seconds_.size());
+        progress.seconds_left = 0.0;
+        for (const RunSetting& setting : settings_) {
+            const auto found = seconds_.find(key_of(setting));
+            for (int seed = 0; seed < request_.seeds; ++seed)
+                if (row_of(setting, static_cast<std::uint64_t>(seed)) == nullptr)
+                    progress.seconds_left += found != seconds_.end() ? found->second : mean;
+        }
+    }
+    if (!watch_(progress)) stopped_ = true;
+    return !stopped_;
+}
+
+const RunRow* Sweep::row_of(const RunSetting& setting, std::uint64_t seed) const {
+    const auto found = std::find_if(result_.rows.begin(), result_.rows.end(), [&](const RunRow& row) {
+        const RenderSettings& s = setting.settings;
+        const bool same_depth = s.depth ? row.depth_limit == *s.depth : std::isnan(row.depth_limit);
+        return row.series == setting.series && row.residual_target == s.residual && same_depth &&
+               row.node_budget == s.node_budget && row.samples_per_pixel == s.samples_per_pixel &&
+               row.wavelengths == static_cast<double>(s.wavelengths_nm.size()) && row.seed == static_cast<double>(seed);
+    });
+    return found == result_.rows.end() ? nullptr : &*found;
+}
+
+Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, SolidKernel kernel) {
+    Scene scene = request_.scene;
+    scene.render = settings;
+    Shot shot;
+    const auto compiling = Clock::now();
+    auto plan = compile(scene, kernel);
+    if (!plan) return plan.error();
+    shot.compile_s = seconds_since(compiling);
+    Renderer renderer(request_.threads);
+    const auto start = Clock::now();
+    const double cpu_start = cpu_seconds();
+    renderer.start(std::move(plan).value());
+    while (!renderer.wait_for(0.1)) {
+        if (tell(doing_)) continue;
+        renderer.cancel();
+        renderer.wait_for(1e9);
+        return std::optional<Shot>();
+    }
+    shot.wall_s = seconds_since(start);
+    shot.cpu_s = cpu_seconds() - cpu_start;
+    shot.image = renderer.snapshot();
+    shot.statistics = renderer.progress().statistics;
+    return std::optional(std::move(shot));
+}
+
+/// A smaller residual, more branches, more samples, and Embree instead of half-spaces where the scene allows it; twice,
+/// with seeds that no run has, so that their difference tells the reference's own error.
+Result<Done> Sweep::find_reference() {
+    const std::size_t wavelengths = request_.scene.render.wavelengths_nm.size();
+    if (request_.reference) {
+        auto read = read_exr(*request_.reference);
+        if (!read) return read.error();
+        reference_ = std::move(read).value();
+        const RenderSettings& s = request_.scene.render;
+        if (reference_.width != s.width || reference_.height != s.height ||
+            reference_.wavelengths_nm.size() != wavelengths)
+            return Error{ErrorKind::usage,
+                         "the reference has another size or other wavelengths than the runs",
+                         {request_.reference->string(), 0, 0},
+                         "--reference",
+                         "give --size and --wavelengths of the reference"};
+        result_.reference_id = request_.reference->filename().string();
+        // All that is known of a foreign picture is the rounding of its numbers.
+        result_.reference_error = 6e-8;
+        if (!reference_.residual.empty() && reference_.brightest.size() == wavelengths)
+            result_.reference_error += relative_bound(reference_, reference_);
+        return Done{};
+    }
+    double smallest = 1.0;
+    int most_samples = 1;
+    int largest_budget = 1;
+    for (const RunSetting& setting : settings_) {
+        if (setting.settings.depth) continue;
+        smallest = std::min(smallest, setting.settings.residual);
+        most_samples = std::max(most_samples, setting.settings.samples_per_pixel);
+        largest_budget = std::max(largest_budget, setting.settings.node_budget);
+    }
+    RenderSettings deep = request_.scene.render;
+    const bool area = deep.mode == SampleMode::area;
+    deep.depth.reset();
+    deep.residual = smallest / 30.0;
+    deep.node_budget = 8 * largest_budget;
+    deep.samples_per_pixel = area ? 8 * most_samples : 1;
+    Scene probe = request_.scene;
+    const bool embree = static_cast<bool>(compile(probe, SolidKernel::embree));
+    result_.reference_id = std::string("own: residual ") + number_text(deep.residual) + ", " +
+                           std::to_string(deep.node_budget) + " branches, 2 x " +
+                           std::to_string(deep.samples_per_pixel) +
+                           (area ? " samples" : " sample at the pixel centre") +
+                           (embree ? ", solids met by Embree" : ", solids met as half-spaces");
+
+    const auto stored = file("reference.exr");
+    if (std::filesystem::exists(stored)) {
+        auto read = read_exr(stored);
+        if (read && read.value().attributes["scene_hash"] == hash_ &&
+            read.value().attributes["settings"] == result_.reference_id) {
+            reference_ = std::move(read).value();
+            result_.reference_error = std::strtod(reference_.attributes["reference_error"].c_str(), nullptr);
+            return Done{};
+        }
+    }
+    std::vector<StokesImage> halves;
+    for (const std::uint64_t seed : {0x5eed0001ULL, 0x5eed0002ULL}) {
+        deep.seed = seed;
+        doing_ = "reference " + std::to_string(halves.size() + 1) + " of 2";
+        auto shot = shoot(deep, embree ? SolidKernel::embree : SolidKernel::half_spaces);
+        if (!shot) return shot.error();
+        if (!shot.value()) return Done{};
+        halves.push_back(std::move(shot.value()->image));
+    }
+    reference_ = mean_of(halves[0], halves[1]);
+    // The mean of two is off by half their difference; what neither traced comes on top, and the file's rounding.
+    result_.reference_error = 0.5 * error_metrics(halves[0], halves[1]).fro_c.whole + 6e-8;
+    StokesImage missing = reference_;
+    missing.tail.clear();  // unbiased: its scatter is in the difference
+    result_.reference_error += relative_bound(missing, reference_);
+    reference_.attributes["scene_hash"] = hash_;
+    reference_.attributes["settings"] = result_.reference_id;
+    reference_.attributes["reference_error"] = number_text(result_.reference_error);
+    return write_exr(reference_, stored);
+}
+
+Result<Done> Sweep::load_rows() {
+    const auto path = file("runs.csv");
+    if (!std::filesystem::exists(path)) return Done{};
+    constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 28U;
+    auto text = read_input_file(path, most_bytes);
+    if (!text) return text.error();
+    auto rows = parse_run_table(text.value(), path.string());
+    if (!rows) return rows.error();
+    for (RunRow& row : rows.value()) {
+        if (row.scene_hash != hash_ || row.reference != result_.reference_id || row.threads != request_.threads)
+            return Error{ErrorKind::usage,
+                         "the folder holds runs of another scene, reference or number of threads",
+                         {path.string(), 0, 0},
+                         "-o",
+                         "choose another folder, or remove this one"};
+        result_.rows.push_back(std::move(row));
+    }
+    return Done{};
+}
+
+Result<Done> Sweep::store_rows() {
+    auto out = OutputFile::create(file("runs.csv"));
+    if (!out) return out.error();
+    const std::string text = run_table_csv(result_.rows);
+    out.value()->write(text.data(), text.size());
+    return out.value()->commit();
+}
+
+/// The same samples with a far smaller residual: what truncation alone does to a picture.
+Result<const StokesImage*> Sweep::deeper_than(const RenderSettings& settings) {
+    const auto found = deeper_.find(settings.samples_per_pixel);
+    if (found != deeper_.end()) return &found->second;
+    RenderSettings deep = settings;
+    deep.depth.reset();
+    deep.residual = 1e-6;
+    deep.node_budget = 8 * request_.scene.render.node_budget;
+    deep.wavelengths_nm = request_.scene.render.wavelengths_nm;
+    auto shot = shoot(deep, SolidKernel::half_spaces);
+    if (!shot) return shot.error();
+    if (!shot.value()) return static_cast<const StokesImage*>(nullptr);
+    return &deeper_.emplace(settings.samples_per_pixel, std::move(shot.value()->image)).first->second;
+}
+
+void Sweep::fill_errors(RunRow& row, const Shot& shot, const RenderSettings& settings, bool first_seed) {
+    const StokesImage reference = at_wavelengths(reference_, settings.wavelengths_nm);
+    const ErrorMetrics metrics = error_metrics(shot.image, reference);
+    for (std::size_t i = 0; i < named_metrics.size(); ++i) row.errors[i] = metrics.*named_metrics[i].metric;
+    row.nan_count = static_cast<double>(metrics.nan_count);
+    row.energy_defect = shot.statistics.worst_energy_defect;
+    row.failures = static_cast<double>(shot.statistics.failures);
+    if (settings.wavelengths_nm.size() > 2)
+        row.spectral = color_difference(every_second_wavelength(shot.image), shot.image);
+    if (!first_seed) return;
+    const auto deep = deeper_than(settings);
+    if (!deep || deep.value() == nullptr) return;
+    const StokesImage truth = at_wavelengths(*deep.value(), settings.wavelengths_nm);
+    row.truncation = error_metrics(shot.image, truth).fro_c.whole;
+    // The deeper picture lacks something, too: at most its own residual and tail.
+    double slack = 0.0;
+    for (std::size_t w = 0; w < deep.value()->wavelengths_nm.size(); ++w)
+        for (std::size_t p = 0; p < deep.value()->pixel_count(); ++p)
+            slack = std::max(slack, (deep.value()->plane_value(deep.value()->residual, w, p) +
+                                     deep.value()->plane_value(deep.value()->tail, w, p)) *
+                                        deep.value()->brightest[w]);
+    const BoundCoverage coverage = bound_coverage(shot.image, truth, slack + 1e-12 * shot.image.brightest[0]);
+    row.bound_fro = relative_bound(shot.image, truth);
+    row.bound_mean = coverage.mean;
+    row.bound_max = coverage.largest;
+    row.bound_cover = coverage.covered;
+    row.bound_ratio = coverage.ratio;
+}
+
+Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t seed) {
+    RenderSettings settings = setting.settings;
+    settings.seed = seed;
+    const auto begin = Clock::now();
+    constexpr double enough_s = 1.0;
+    constexpr double long_s = 2.0;
+    RunRow row;
+    row.timestamp = utc_now();
+    row.host_load = load_average();
+    Shot best;
+    double spent = 0.0;
+    int repeats = 0;
+    while (repeats < request_.most_repeats && (repeats == 0 || (spent < enough_s && best.wall_s < long_s))) {
+        auto shot = shoot(settings, SolidKernel::half_spaces);
+        if (!shot) return shot.error();
+        if (!shot.value()) return false;
+        spent += shot.value()->wall_s;
+        if (repeats == 0) best = std::move(*shot.value());
+        best.wall_s = std::min(best.wall_s, shot.value()->wall_s);
+        best.cpu_s = std::min(best.cpu_s, shot.value()->cpu_s);
+        ++repeats;
+    }
+    row.series = setting.series;
+    row.scene = request_.scene_name;
+    row.scene_hash = hash_;
+    row.mode = settings.mode == SampleMode::area ? "area" : "point";
+    row.tool_version = request_.tool_version;
+    row.cpu = cpu_;
+    row.reference = result_.reference_id;
+    row.reference_error = result_.reference_error;
+    row.threads = request_.threads;
+    row.width = settings.width;
+    row.height = settings.height;
+    row.residual_target = settings.residual;
+    if (settings.depth) row.depth_limit = *settings.depth;
+    row.node_budget = settings.node_budget;
+    row.samples_per_pixel = settings.samples_per_pixel;
+    row.wavelengths = static_cast<double>(settings.wavelengths_nm.size());
+    row.seed = static_cast<double>(seed);
+    row.repeats = repeats;
+    row.compile_s = best.compile_s;
+    row.render_wall_s = best.wall_s;
+    row.render_cpu_s = best.cpu_s;
+    row.rays = static_cast<double>(best.statistics.nodes);
+    row.nodes_mean = row.rays / static_cast<double>(std::max<std::uint64_t>(1, best.statistics.samples));
+    row.nodes_max = best.statistics.most_nodes;
+    fill_errors(row, best, settings, seed == 0);
+    if (stopped_) return false;
+    const auto before = previous_.find(key_of(setting));
+    // The difference of two independent pictures has twice the variance of one.
+    if (before != previous_.end())
+        row.sampling = error_metrics(best.image, before->second).fro_c.whole / std::sqrt(2.0);
+    previous_[key_of(setting)] = std::move(best.image);
+    result_.rows.push_back(std::move(row));
+    seconds_[key_of(setting)] = seconds_since(begin);
+    if (auto stored = store_rows(); !stored) return stored.error();
+    return true;
+}
+
+Result<ConvergenceResult> Sweep::run() {
+    auto plan = compile(request_.scene);
+    if (!plan) return plan.error();
+    settings_ = convergence_settings(request_.scene, plan.value()->features.anisotropic);
+    if (auto found = find_reference(); !found) return found.error();
+    if (stopped_) return std::move(result_);
+    if (auto loaded = load_rows(); !loaded) return loaded.error();
+
+    doing_ = "warm-up";
+    if (auto warm = shoot(settings_.front().settings, SolidKernel::half_spaces); !warm) return warm.error();
+    for (int seed = 0; seed < request_.seeds && !stopped_; ++seed) {
+        for (std::size_t i = 0; i < settings_.size() && !stopped_; ++i) {
+            const RunSetting& setting = settings_[seed % 2 == 0 ? i : settings_.size() - 1 - i];
+            if (row_of(setting, static_cast<std::uint64_t>(seed)) != nullptr) continue;
+            if (!tell(setting.series + ", seed " + std::to_string(seed + 1) + " of " + std::to_string(request_.seeds)))
+                break;
+            const auto measured = measure_setting(setting, static_cast<std::uint64_t>(seed));
+            if (!measured) return measured.error();
+        }
+    }
+    result_.complete = !stopped_;
+    return std::move(result_);
+}
+
+}  // namespace
+
+std::vector<RunSetting> convergence_settings(const Scene& scene, bool crystals) {
+    const RenderSettings& base = scene.render;
+    std::vector<RunSetting> list;
+    const auto add = [&](const std::string& series, const auto& change) {
+        RenderSettings settings = base;
+        settings.depth.reset();
+        change(settings);
+        list.push_back({series, settings});
+    };
+    const bool area = base.mode == SampleMode::area;
+    if (area) {
+        for (const double residual : {1e-1, 1e-2, 1e-3})
+            for (const int samples : {1, 4, 16, 64})
+                add("samples at residual " + number_text(residual), [&](RenderSettings& s) {
+                    s.residual = residual;
+                    s.samples_per_pixel = samples;
+                });
+    } else {
+        for (const double residual : {3e-1, 1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4})
+            add("residual", [&](RenderSettings& s) {
+                s.residual = residual;
+                s.samples_per_pixel = 1;
+            });
+    }
+    const int samples = area ? 16 : 1;
+    if (crystals)
+        for (const int budget : {10, 30, 100, 300, 1000})
+            add("branches", [&](RenderSettings& s) {
+                s.residual = 1e-4;
+                s.node_budget = budget;
+                s.samples_per_pixel = samples;
+            });
+    for (const int depth : {1, 3, 5, 7, 9})
+        add("depth", [&](RenderSettings& s) {
+            s.cut_by_depth_alone(depth);
+            s.samples_per_pixel = samples;
+        });
+    if (base.wavelengths_nm.size() > 4) {
+        std::vector<double> some = base.wavelengths_nm;
+        while (some.size() > 2) {
+            add("wavelengths", [&](RenderSettings& s) {
+                s.wavelengths_nm = some;
+                s.residual = 1e-3;
+                s.samples_per_pixel = samples;
+            });
+            std::vector<double> half;
+            for (std::size_t i = 0; i < some.size(); i += 2) half.push_back(some[i]);
+            some = std::move(half);
+        }
+    }
+    return list;
+}
+
+Result<ConvergenceResult> converge(const ConvergenceRequest& request, const ConvergenceWatch& watch) {
+    return Sweep(request, watch).run();
+}
+
+}  // namespace pol::verify

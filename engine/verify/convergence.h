@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Error against run time: renders a scene at many settings, times each and holds it against a reference
+// (performance.md 2, 3 and 8).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "film/stokes_image.h"
+#include "scene/scene.h"
+#include "verify/run_table.h"
+
+namespace pol::verify {
+
+/// One point of a curve.
+struct RunSetting {
+    std::string series;
+    RenderSettings settings;
+};
+
+struct ConvergenceRequest {
+    Scene scene;
+    std::string scene_name;
+    std::filesystem::path folder;                    ///< for runs.csv and reference.exr; exists
+    std::optional<std::filesystem::path> reference;  ///< instead of our own
+    int threads = 1;
+    int seeds = 5;
+    int most_repeats = 20;  ///< of a short render, for its shortest time
+    std::string tool_version;
+};
+
+struct ConvergenceResult {
+    std::vector<RunRow> rows;      ///< in the order in which they were made
+    std::string reference_id;      ///< how the reference was made, for people
+    double reference_error = 0.0;  ///< fro_c, estimated
+    bool complete = false;         ///< false: stopped early; the rows so far are in runs.csv
+};
+
+/// What a user sees while it runs. `done` of `all` timed renders; returns false to stop.
+struct ConvergenceProgress {
+    int done = 0;
+    int all = 0;
+    double seconds_left = not_measured;
+    std::string doing;
+};
+using ConvergenceWatch = std::function<bool(const ConvergenceProgress&)>;
+
+/// The curves that make sense for the scene: residual (point mode), residual by samples (area mode), depth, node budget
+/// if there are crystals, wavelengths if there are several.
+std::vector<RunSetting> convergence_settings(const Scene& scene, bool crystals);
+
+/// Runs every setting with every seed, settings in turn so that a slow minute hits all of them, forwards and backwards.
+/// Rows that runs.csv has already (same scene, threads and reference) are not made again. A render of less than 2 s is
+/// repeated, up to most_repeats times and 1 s in all, and the shortest time counts. Error: scene, reference or output.
+Result<ConvergenceResult> converge(const ConvergenceRequest& request, const ConvergenceWatch& watch);
+
+}  // namespace pol::verify

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Error against run time: the sweep itself, on pictures of a few pixels.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "io/scene_file.h"
+#include "verify/convergence.h"
+#include "verify/convergence_summary.h"
+
+namespace pol::verify {
+namespace {
+
+/// A folder of its own that goes with the test.
+class Folder {
+public:
+    explicit Folder(const char* name) : path_(std::filesystem::temp_directory_path() / name) {
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+ConvergenceRequest small_request(const char* scene, const Folder& folder) {
+    ConvergenceRequest request;
+    auto loaded = load_scene(std::filesystem::path(POL_ASSETS) / "scenes" / scene);
+    EXPECT_TRUE(loaded);
+    request.scene = std::move(loaded).value();
+    request.scene.render.width = 12;
+    request.scene.render.height = 9;
+    request.scene_name = scene;
+    request.folder = folder.path();
+    request.seeds = 2;
+    request.most_repeats = 1;
+    return request;
+}
+
+bool go_on(const ConvergenceProgress& /*progress*/) {
+    return true;
+}
+
+// performance.md 3.3: what was not traced bounds the Frobenius error, pixel by pixel and hence in the mean square.
+TEST(Convergence, TheErrorOfTruncationNeverExceedsItsBound) {
+    const Folder folder("polariscope-test-converge-bound");
+    const auto result = converge(small_request("paper-glass-unpolarized.yaml", folder), go_on);
+    ASSERT_TRUE(result) << to_string(result.error());
+    EXPECT_TRUE(result.value().complete);
+    EXPECT_EQ(worst_bound_coverage(result.value().rows), 1.0);
+    int compared = 0;
+    for (const RunRow& row : result.value().rows) {
+        if (std::isnan(row.truncation)) continue;
+        // The deeper picture is off by at most 1e-6 of a pixel itself; |C|_F has a root mean square above 0.1 here.
+        EXPECT_LE(row.truncation, row.bound_fro + 1e-5) << row.series << " " << row.residual_target;
+        EXPECT_EQ(row.failures, 0.0);
+        ++compared;
+    }
+    EXPECT_EQ(compared, 12);
+}
+
+// Crystal trees end in a random tail, whose two-sided bound counts in full.
+TEST(Convergence, TheBoundHoldsForEveryPixelOfACrystal) {
+    const Folder folder("polariscope-test-converge-crystal");
+    ConvergenceRequest request = small_request("paper-calcite-polarized.yaml", folder);
+    request.scene.render.node_budget = 300;
+    const auto result = converge(request, go_on);
+    ASSERT_TRUE(result) << to_string(result.error());
+    EXPECT_EQ(worst_bound_coverage(result.value().rows), 1.0);
+}
+
+TEST(Convergence, ASecondStartGoesOnWhereTheFirstWasStopped) {
+    const Folder folder("polariscope-test-converge-resume");
+    const ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
+    const auto stopped = converge(request, [](const ConvergenceProgress& progress) { return progress.done < 7; });
+    ASSERT_TRUE(stopped);
+    EXPECT_FALSE(stopped.value().complete);
+    ASSERT_EQ(stopped.value().rows.size(), 7U);
+    const auto resumed = converge(request, go_on);
+    ASSERT_TRUE(resumed);
+    EXPECT_TRUE(resumed.value().complete);
+    for (std::size_t i = 0; i < 7; ++i)
+        EXPECT_EQ(resumed.value().rows[i].render_wall_s, stopped.value().rows[i].render_wall_s) << i;
+}
+
+TEST(Convergence, RunsOfAnotherSceneAreNotTakenOver) {
+    const Folder folder("polariscope-test-converge-other");
+    ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
+    request.seeds = 1;
+    ASSERT_TRUE(converge(request, go_on));
+    request.scene.render.height = 10;
+    const auto other = converge(request, go_on);
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.error().field, "-o");
+}
+
+TEST(RunTable, ReadsBackToTheSameBitsAndNamesTheBadField) {
+    RunRow row;
+    row.series = "samples, \"quoted\"";
+    row.render_wall_s = 0.1;
+    row.errors[2].p99 = 1.0 / 3.0;
+    const std::string csv = run_table_csv({row, row});
+    const auto read = parse_run_table(csv, "runs.csv");
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read.value().size(), 2U);
+    EXPECT_EQ(read.value()[1].series, row.series);
+    EXPECT_EQ(read.value()[1].errors[2].p99, 1.0 / 3.0);
+    EXPECT_TRUE(std::isnan(read.value()[1].depth_limit));
+    EXPECT_EQ(run_table_csv(read.value()), csv);
+
+    std::string bad = csv;
+    bad.replace(bad.rfind("0.1"), 3, "0,x");
+    const auto refused = parse_run_table(bad, "runs.csv");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().place.line, 3);
+}
+
+// A straight line in the log-log plane has its slope everywhere.
+TEST(Curves, FitTheSlopeOfAPowerLawAndFindTheCheapestSetting) {
+    std::vector<RunRow> rows;
+    for (int i = 0; i < 4; ++i) {
+        RunRow row;
+        row.series = "residual";
+        row.residual_target = std::pow(10.0, -i);
+        row.render_cpu_s = std::pow(4.0, i);
+        row.errors[0].whole = std::pow(2.0, -i);
+        rows.push_back(row);
+    }
+    const std::vector<Curve> all = curves(rows);
+    ASSERT_EQ(all.size(), 1U);
+    ASSERT_TRUE(all[0].slope);
+    EXPECT_NEAR(*all[0].slope, -0.5, 1e-12);
+    const std::vector<Cheapest> best = cheapest(all, {0.3, 0.01});
+    ASSERT_TRUE(best[0].point);
+    EXPECT_EQ(best[0].point->cpu_s, 16.0);
+    EXPECT_FALSE(best[1].point);
+}
+
+}  // namespace
+}  // namespace pol::verify
