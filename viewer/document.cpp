@@ -2,46 +2,127 @@
 #include "viewer/document.h"
 
 #include <algorithm>
+#include <cctype>
 
+#include "core/contract.h"
 #include "io/exr_file.h"
+#include "io/output_file.h"
 #include "io/scene_file.h"
+#include "io/scene_hash.h"
 #include "plan/compile.h"
+#include "scene/check.h"
 
 namespace pol {
 
+namespace {
+
+bool is_picture(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".exr";
+}
+
+/// Number that no other picture of this program has.
+std::uint64_t next_layout() {
+    static std::uint64_t last = 0;  // main thread only
+    return ++last;
+}
+
+TileRect whole(const StokesImage& picture) {
+    return {0, 0, picture.width, picture.height};
+}
+
+/// The files that a scene was read from.
+std::vector<std::filesystem::path> files_of(const Scene& scene) {
+    std::vector<std::filesystem::path> files(scene.files.begin(), scene.files.end());
+    for (const Object& object : scene.objects) {
+        if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) files.emplace_back(mesh->path);
+        const auto* emission = std::get_if<Emission>(&object.role);
+        const auto* texture = emission != nullptr ? std::get_if<TexturedRadiance>(&emission->radiance) : nullptr;
+        if (texture != nullptr) files.emplace_back(texture->path);
+    }
+    return files;
+}
+
+}  // namespace
+
 Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path, std::function<void()> wake) {
     std::unique_ptr<Document> document(new Document);
-    document->path_ = path;
-    if (path.extension() == ".exr") {
+    std::error_code unknown_folder;
+    document->path_ = std::filesystem::absolute(path, unknown_folder).lexically_normal();
+    document->name_ = path.filename().string();
+    document->watch_ = FileWatch({document->path_});
+    if (is_picture(path)) {
         auto picture = read_exr(path);
         if (!picture) return picture.error();
-        document->picture_ = std::move(picture).value();
-        document->changes_ = {{0, 0, document->picture_.width, document->picture_.height}};
-        document->version_ = document->layout_ = 1;
+        document->show(std::make_shared<StokesImage>(std::move(picture).value()));
         return document;
     }
     auto scene = load_scene(path);
     if (!scene) return scene.error();
     document->renderer_ = std::make_unique<Renderer>(hardware_threads(), 32, std::move(wake));
-    const auto applied = document->apply(std::move(scene).value());
-    if (!applied) return applied.error();
+    if (auto started = document->render(scene.value()); !started) return started.error();
+    document->history_ = EditHistory(std::move(scene).value());
+    document->watch_files();
+    return document;
+}
+
+Result<std::unique_ptr<Document>> Document::make(Scene scene, std::string name, std::function<void()> wake) {
+    std::unique_ptr<Document> document(new Document);
+    document->name_ = std::move(name);
+    document->renderer_ = std::make_unique<Renderer>(hardware_threads(), 32, std::move(wake));
+    if (auto started = document->render(scene); !started) return started.error();
+    document->history_ = EditHistory(std::move(scene));
+    document->history_.mark_unsaved();
     return document;
 }
 
 Document::~Document() = default;
+
+Result<Done> Document::render(const Scene& scene) {
+    if (auto problem = first_problem(scene)) return *problem;
+    auto plan = compile(scene);
+    if (!plan) return plan.error();
+    plan_ = std::move(plan).value();
+    renderer_->start(plan_);
+    samples_seen_ = 0;
+    show(std::make_shared<StokesImage>(renderer_->snapshot()));
+    paused_ = false;
+    if (resting_) renderer_->pause();
+    return Done{};
+}
+
+void Document::show(std::shared_ptr<StokesImage> picture) {
+    const bool same_layout = picture_ && picture_->width == picture->width && picture_->height == picture->height &&
+                             picture_->wavelengths_nm == picture->wavelengths_nm;
+    if (!same_layout) layout_ = next_layout();
+    picture_ = std::move(picture);
+    lent_ = std::make_shared<std::atomic<int>>(0);
+    changes_ = {whole(*picture_)};
+    ++version_;
+}
 
 std::vector<TileRect> Document::take_changes() {
     return std::exchange(changes_, {});
 }
 
 void Document::update(double /*seconds*/) {
-    if (!renderer_) return;
+    if (!renderer_ || lent_->load(std::memory_order_acquire) > 0) return;
     const std::uint64_t samples = renderer_->progress().statistics.samples;
     if (samples == samples_seen_) return;
     samples_seen_ = samples;
-    picture_ = renderer_->snapshot();
-    changes_ = {{0, 0, picture_.width, picture_.height}};
+    *picture_ = renderer_->snapshot();
+    changes_ = {whole(*picture_)};
     ++version_;
+}
+
+std::shared_ptr<const StokesImage> Document::lend_picture() const {
+    lent_->fetch_add(1, std::memory_order_relaxed);
+    return {picture_.get(), [picture = picture_, lent = lent_](const StokesImage* /*lent*/) mutable {
+                picture.reset();
+                lent->fetch_sub(1, std::memory_order_release);
+            }};
 }
 
 RenderProgress Document::progress() const {
@@ -49,24 +130,91 @@ RenderProgress Document::progress() const {
 }
 
 void Document::set_paused(bool paused) {
-    if (!renderer_) return;
     paused_ = paused;
-    paused ? renderer_->pause() : renderer_->resume();
+    if (renderer_) paused_ || resting_ ? renderer_->pause() : renderer_->resume();
 }
 
-Result<Done> Document::apply(Scene scene) {
-    auto plan = compile(scene);
-    if (!plan) return plan.error();
-    scene_ = std::move(scene);
-    plan_ = std::move(plan).value();
-    renderer_->start(plan_);
-    picture_ = renderer_->snapshot();
-    changes_ = {{0, 0, picture_.width, picture_.height}};
-    samples_seen_ = 0;
-    paused_ = false;
-    ++version_;
-    ++layout_;
+void Document::set_resting(bool resting) {
+    if (resting == resting_) return;
+    resting_ = resting;
+    set_paused(paused_);
+}
+
+Result<Done> Document::edit(Scene scene, const std::string& label) {
+    POL_EXPECTS(has_scene());
+    if (auto started = render(scene); !started) {
+        refused_ = Refusal{label, started.error()};
+        return started;
+    }
+    refused_.reset();
+    history_.push(std::move(scene), label);
     return Done{};
+}
+
+Result<Done> Document::undo() {
+    if (!has_scene() || !history_.can_undo()) return Done{};
+    auto started = render(history_.scene_before());
+    if (started) history_.undo();
+    refused_.reset();
+    return started;
+}
+
+Result<Done> Document::redo() {
+    if (!has_scene() || !history_.can_redo()) return Done{};
+    auto started = render(history_.scene_after());
+    if (started) history_.redo();
+    refused_.reset();
+    return started;
+}
+
+Result<Done> Document::save(const std::filesystem::path& path) {
+    POL_EXPECTS(has_scene());
+    auto file = OutputFile::create(path);
+    if (!file) return file.error();
+    const std::string text = save_scene(scene());
+    file.value()->write(text.data(), text.size());
+    if (auto written = file.value()->commit(); !written) return written;
+    std::error_code unknown_folder;
+    path_ = std::filesystem::absolute(path, unknown_folder).lexically_normal();
+    name_ = path_.filename().string();
+    problem_.reset();
+    history_.mark_saved();
+    watch_ = {};
+    watch_files();
+    return Done{};
+}
+
+Result<Done> Document::reload() {
+    if (path_.empty()) return Done{};
+    problem_.reset();
+    const auto failed = [&](const Error& error) {
+        problem_ = error;
+        return error;
+    };
+    if (!has_scene()) {
+        auto picture = read_exr(path_);
+        if (!picture) return failed(picture.error());
+        show(std::make_shared<StokesImage>(std::move(picture).value()));
+        return Done{};
+    }
+    auto scene = load_scene(path_);
+    if (!scene) return failed(scene.error());
+    if (scene_hash(scene.value()) != scene_hash(history_.scene())) {
+        if (auto started = render(scene.value()); !started) return failed(started.error());
+        history_.seal();
+        history_.push(std::move(scene).value(), "reload");
+    }
+    refused_.reset();
+    history_.mark_saved();
+    watch_files();
+    return Done{};
+}
+
+void Document::watch_files() {
+    std::vector<std::filesystem::path> files = files_of(scene());
+    // A saved scene is one file, whatever it was read from.
+    if (std::find(files.begin(), files.end(), path_) == files.end()) files.push_back(path_);
+    watch_.watch(files);
 }
 
 }  // namespace pol

@@ -2,6 +2,7 @@
 // One opened file: a scene with the picture that is being made of it, or a picture from an EXR file.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -16,6 +17,8 @@
 #include "plan/plan.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
+#include "viewer/edit_history.h"
+#include "viewer/file_watch.h"
 
 namespace pol {
 
@@ -25,20 +28,27 @@ public:
     /// Opens a scene (*.yaml, *.yml, *.json) and starts its render, or a Stokes picture (*.exr). Error: as the reader
     /// or the compiler has it.
     static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path, std::function<void()> wake);
+    /// A scene that no file has yet, by the name that Save will suggest ("calcite-twin.yaml"). Error: it cannot be
+    /// rendered.
+    static Result<std::unique_ptr<Document>> make(Scene scene, std::string name, std::function<void()> wake);
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
+    /// The file; empty if there is none yet.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// File name, or the name given to make().
+    [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] bool has_scene() const { return plan_ != nullptr; }
     /// Requires: has_scene().
-    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const Scene& scene() const { return history_.scene(); }
     /// What is being rendered. Requires: has_scene().
     [[nodiscard]] const std::shared_ptr<const Plan>& plan() const { return plan_; }
 
     /// The picture as far as it is known here: brought up to date by update() only, so that one frame sees one picture.
-    [[nodiscard]] const StokesImage& picture() const { return picture_; }
-    /// Grows whenever the picture changes; a new size or set of wavelengths is a new `picture_layout`.
+    [[nodiscard]] const StokesImage& picture() const { return *picture_; }
+    /// Grows whenever the picture changes; a new size, set of wavelengths or document is a new `picture_layout`, which
+    /// no other document has.
     [[nodiscard]] std::uint64_t picture_version() const { return version_; }
     [[nodiscard]] std::uint64_t picture_layout() const { return layout_; }
     /// Parts that changed since the last call, for whoever keeps a copy (the textures).
@@ -47,26 +57,71 @@ public:
     /// Fetches what the workers have finished, for at most `seconds`.
     void update(double seconds);
 
+    /// The picture for another thread. While it is lent, update() leaves it as it is; edits do not wait.
+    [[nodiscard]] std::shared_ptr<const StokesImage> lend_picture() const;
+
     [[nodiscard]] RenderProgress progress() const;
     [[nodiscard]] bool paused() const { return paused_; }
     void set_paused(bool paused);
+    /// A document that is not on screen rests, whether or not the user has paused it.
+    void set_resting(bool resting);
 
-    /// Renders an edited scene instead. Error: the scene cannot be rendered; the old render goes on.
-    Result<Done> apply(Scene scene);
+    // Edits -----------------------------------------------------------------------------------------------------------
+
+    /// Renders an edited scene instead. Error: the scene cannot be rendered; the old render goes on and refused() says
+    /// why. Edits with the same label are one step of undo until end_edit(). Requires: has_scene().
+    Result<Done> edit(Scene scene, const std::string& label);
+    void end_edit() { history_.seal(); }
+    [[nodiscard]] const EditHistory& history() const { return history_; }
+    /// Do nothing if there is nothing to undo or redo.
+    Result<Done> undo();
+    Result<Done> redo();
+
+    struct Refusal {
+        std::string label;  ///< of the edit
+        Error error;
+    };
+    /// The last edit, if it was refused.
+    [[nodiscard]] const std::optional<Refusal>& refused() const { return refused_; }
+
+    // The file --------------------------------------------------------------------------------------------------------
+
+    /// The scene is not what its file says, or has no file.
+    [[nodiscard]] bool dirty() const { return has_scene() && history_.dirty(); }
+    /// Writes the scene as YAML that loads back to the same scene hash; from now on `path` is the document's file.
+    /// Requires: has_scene().
+    Result<Done> save(const std::filesystem::path& path);
+    /// Reads the file again, as a step that can be undone. Error: the file is broken; the old picture stays and
+    /// problem() says why. Without a file: does nothing.
+    Result<Done> reload();
+    /// True if the file was changed by another program. `now_s` as in FileWatch.
+    bool file_changed(double now_s) { return watch_.changed(now_s); }
+    /// Why the file cannot be shown as it is now: to be read over the picture.
+    [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
 
 private:
     Document() = default;
+    Result<Done> render(const Scene& scene);
+    void show(std::shared_ptr<StokesImage> picture);
+    void watch_files();
 
     std::filesystem::path path_;
-    Scene scene_;
+    std::string name_;
+    EditHistory history_;
+    std::optional<Refusal> refused_;
+    std::optional<Error> problem_;
+    FileWatch watch_;
+
     std::shared_ptr<const Plan> plan_;
     std::unique_ptr<Renderer> renderer_;
-    StokesImage picture_;
+    std::shared_ptr<StokesImage> picture_;
+    std::shared_ptr<std::atomic<int>> lent_;  // how often picture_ is lent
     std::vector<TileRect> changes_;
     std::uint64_t version_ = 0;
     std::uint64_t layout_ = 0;
     std::uint64_t samples_seen_ = 0;
     bool paused_ = false;
+    bool resting_ = false;
 };
 
 }  // namespace pol

@@ -2,6 +2,7 @@
 #include "viewer/session.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace pol {
 
@@ -14,15 +15,27 @@ constexpr double evaluate_finished_s = 0.010;
 }  // namespace
 
 bool Session::open(const std::filesystem::path& path) {
-    auto document = Document::open(path, wake_);
+    return adopt(Document::open(path, wake_));
+}
+
+bool Session::open_scene(Scene scene, const std::string& name) {
+    return adopt(Document::make(std::move(scene), name, wake_));
+}
+
+bool Session::adopt(Result<std::unique_ptr<Document>> document) {
     if (!document) {
         log.add(Severity::error, to_string(document.error()));
         return false;
     }
     documents_.push_back(std::move(document).value());
     current_ = static_cast<int>(documents_.size()) - 1;
-    selection = {};
     return true;
+}
+
+void Session::close_document() {
+    if (current_ < 0) return;
+    documents_.erase(documents_.begin() + current_);
+    current_ = documents_.empty() ? -1 : std::max(0, current_ - 1);
 }
 
 Document* Session::current() const {
@@ -35,18 +48,76 @@ void Session::step_document(int by) {
     current_ = ((current_ + by) % count + count) % count;
 }
 
+bool Session::logged(const Result<Done>& result) {
+    if (!result) log.add(Severity::error, to_string(result.error()));
+    return static_cast<bool>(result);
+}
+
+bool Session::undo() {
+    return current() != nullptr && logged(current()->undo());
+}
+
+bool Session::redo() {
+    return current() != nullptr && logged(current()->redo());
+}
+
+bool Session::reload() {
+    return current() != nullptr && logged(current()->reload());
+}
+
+bool Session::save(const std::filesystem::path& path) {
+    if (current() == nullptr || !current()->has_scene() || !logged(current()->save(path))) return false;
+    log.add(Severity::note, "scene written: " + path.string());
+    return true;
+}
+
+bool Session::has_unsaved_edits() const {
+    return std::any_of(documents_.begin(), documents_.end(), [](const auto& d) { return d->dirty(); });
+}
+
 void Session::update() {
+    exports.report(log);
+    follow_files();
+    for (const auto& document : documents_) document->set_resting(document.get() != current());
     Document* document = current();
+    if (document != nullptr) document->update(update_s);
+    fit_selection();
     if (document == nullptr) {
         shown_map.clear();
         return;
     }
-    document->update(update_s);
-    const std::size_t wavelengths = document->picture().wavelengths_nm.size();
-    if (view.wavelength >= wavelengths) view.wavelength = wavelengths - 1;
     const bool grows = !document->paused() && !document->progress().finished;
     shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s);
     if (!shown_map.complete() && !grows && wake_) wake_();
+}
+
+void Session::follow_files() {
+    const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    for (const auto& document : documents_) {
+        if (!document->file_changed(now_s)) continue;
+        if (logged(document->reload())) log.add(Severity::note, document->name() + " was saved: read again");
+    }
+}
+
+/// The picture on screen may be another one, of another size, than that which the user pointed at.
+void Session::fit_selection() {
+    const Document* document = current();
+    if (document == nullptr) {
+        selection = {};
+        return;
+    }
+    const StokesImage& picture = document->picture();
+    view.wavelength = std::min(view.wavelength, picture.wavelengths_nm.size() - 1);
+    const auto outside = [&](PixelAddress pixel) { return pixel.x >= picture.width || pixel.y >= picture.height; };
+    if (selection.hovered && outside(*selection.hovered)) selection.hovered.reset();
+    if (selection.marked.size() != picture.pixel_count()) selection.marked.clear();
+    const auto pinned = selection.pinned();
+    if (std::erase_if(selection.pins, outside) == 0) return;
+    const auto found = pinned ? std::find(selection.pins.begin(), selection.pins.end(), *pinned) : selection.pins.end();
+    selection.current =
+        static_cast<int>(found == selection.pins.end() ? selection.pins.size() : found - selection.pins.begin());
+    if (found == selection.pins.end()) --selection.current;
+    selection.node.reset();
 }
 
 Stokes<double> Session::shown_stokes(std::size_t wavelength, std::size_t pixel) const {

@@ -11,6 +11,7 @@
 #include "polarization/stokes.h"
 #include "viewer/bench.h"
 #include "viewer/document.h"
+#include "viewer/export_queue.h"
 #include "viewer/log.h"
 #include "viewer/selection.h"
 #include "viewer/shown_map.h"
@@ -23,10 +24,14 @@ namespace pol {
 class Session {
 public:
     /// `wake` is called from worker threads whenever there is something new to draw.
-    explicit Session(std::function<void()> wake = {}) : wake_(std::move(wake)) {}
+    explicit Session(std::function<void()> wake = {}) : exports(wake), wake_(std::move(wake)) {}
 
     /// Opens a file and makes it the current document; on error the log says why and nothing changes.
     bool open(const std::filesystem::path& path);
+    /// Makes a scene that no file has (a twin, a fact) the current document; on error the log says why.
+    bool open_scene(Scene scene, const std::string& name);
+    /// Closes the current document, saved or not; the one before it is shown.
+    void close_document();
 
     [[nodiscard]] const std::vector<std::unique_ptr<Document>>& documents() const { return documents_; }
     /// The document on screen, or null.
@@ -34,7 +39,15 @@ public:
     /// Shows the next (+1) or previous (-1) document.
     void step_document(int by);
 
-    /// Once per frame, before drawing: takes over what workers and background jobs have finished.
+    /// Acts on the current document and puts an error into the log. True if it was done.
+    bool undo();
+    bool redo();
+    bool reload();
+    bool save(const std::filesystem::path& path);
+    /// Edits of scenes that no file has.
+    [[nodiscard]] bool has_unsaved_edits() const;
+
+    /// Once per frame, before drawing: takes over what workers, background jobs and other programs have finished.
     void update();
 
     /// Shows another map; a wavelength that the picture does not have is set to the nearest it has.
@@ -56,10 +69,16 @@ public:
     Bench bench;
     ShownMap shown_map;  ///< values behind the picture; update() keeps it
     Log log;
+    ExportQueue exports;
     bool panels_visible = true;
     bool quit_requested = false;
 
 private:
+    bool adopt(Result<std::unique_ptr<Document>> document);
+    bool logged(const Result<Done>& result);
+    void follow_files();
+    void fit_selection();
+
     std::function<void()> wake_;
     std::vector<std::unique_ptr<Document>> documents_;
     int current_ = -1;

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "io/exr_file.h"
+#include "io/scene_file.h"
+#include "io/scene_hash.h"
+#include "support/render_scene.h"
+#include "viewer/document.h"
+#include "viewer/viewer_files.h"
+
+namespace pol {
+namespace {
+
+using test::TemporaryFolder;
+
+std::unique_ptr<Document> opened(const std::filesystem::path& path) {
+    auto document = Document::open(path, {});
+    if (!document) throw std::runtime_error(to_string(document.error()));
+    return std::move(document).value();
+}
+
+/// Looks at the file until the change is at rest.
+bool file_changed(Document& document) {
+    static double now_s = 0.0;
+    for (int look = 0; look < 3; ++look)
+        if (document.file_changed(now_s += 1.0)) return true;
+    return false;
+}
+
+void expect_same_picture(const StokesImage& a, const StokesImage& b) {
+    ASSERT_EQ(a.stokes.size(), b.stokes.size());
+    EXPECT_TRUE(a.stokes == b.stokes);
+    EXPECT_TRUE(a.residual == b.residual);
+    EXPECT_TRUE(a.samples == b.samples);
+}
+
+TEST(Document, FollowsTheRenderToTheSamePictureAsWithoutAWindow) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(70, 50));
+    const auto document = opened(folder / "plate.yaml");
+    test::finish(*document);
+    expect_same_picture(document->picture(), test::render(document->scene()));
+}
+
+TEST(Document, EditsUndoAndRedoGoThroughTheSameScenes) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    const auto document = opened(folder / "plate.yaml");
+    std::vector<std::string> hashes{scene_hash(document->scene())};
+    for (const double n : {1.6, 1.7, 1.8}) {
+        Scene scene = document->scene();
+        std::get<IsotropicMedium>(scene.media[0].matter).index = ConstantIndex{{n, 0.0}};
+        ASSERT_TRUE(document->edit(std::move(scene), "index"));
+        document->end_edit();
+        hashes.push_back(scene_hash(document->scene()));
+    }
+    for (int step = 3; step-- > 0;) {
+        ASSERT_TRUE(document->undo());
+        EXPECT_EQ(scene_hash(document->scene()), hashes[static_cast<std::size_t>(step)]);
+    }
+    EXPECT_FALSE(document->dirty());
+    for (std::size_t step = 1; step < hashes.size(); ++step) {
+        ASSERT_TRUE(document->redo());
+        EXPECT_EQ(scene_hash(document->scene()), hashes[step]);
+    }
+    EXPECT_TRUE(document->dirty());
+    test::finish(*document);
+    expect_same_picture(document->picture(), test::render(document->scene()));
+}
+
+TEST(Document, ARefusedEditLeavesSceneAndPictureAlone) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    const auto document = opened(folder / "plate.yaml");
+    test::finish(*document);
+    const std::string hash = scene_hash(document->scene());
+    const std::uint64_t version = document->picture_version();
+    Scene scene = document->scene();
+    std::get<IsotropicMedium>(scene.media[0].matter).index = ConstantIndex{{-1.0, 0.0}};
+    EXPECT_FALSE(document->edit(std::move(scene), "index of glass"));
+    ASSERT_TRUE(document->refused());
+    EXPECT_EQ(document->refused()->label, "index of glass");
+    EXPECT_EQ(document->refused()->error.field, "media.glass.index");
+    EXPECT_EQ(scene_hash(document->scene()), hash);
+    document->update(1.0);
+    EXPECT_EQ(document->picture_version(), version);
+    EXPECT_FALSE(document->dirty());
+}
+
+TEST(Document, ASavedSceneLoadsBackToTheSameHash) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    const auto document = opened(folder / "plate.yaml");
+    Scene scene = document->scene();
+    scene.media[0].matter = UniaxialMedium{ConstantIndex{{1.658, 0.0}}, ConstantIndex{{1.486, 0.0}}, {1.0, 0.3, 0.1}};
+    scene.camera.position = {1.0 / 3.0, 2.0, 3.0};
+    scene.render.depth = 7;
+    ASSERT_TRUE(document->edit(std::move(scene), "all"));
+    EXPECT_TRUE(document->dirty());
+    ASSERT_TRUE(document->save(folder / "other.yaml"));
+    EXPECT_FALSE(document->dirty());
+    EXPECT_EQ(document->name(), "other.yaml");
+    const auto loaded = load_scene(folder / "other.yaml");
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(scene_hash(loaded.value()), scene_hash(document->scene()));
+    // Its own save is no change by another program.
+    EXPECT_FALSE(file_changed(*document));
+}
+
+TEST(Document, NoticesAFileThatIsSavedInPlaceOrByRename) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    const auto document = opened(folder / "plate.yaml");
+    EXPECT_FALSE(file_changed(*document));
+
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8, "1.61"));
+    EXPECT_TRUE(file_changed(*document));
+    ASSERT_TRUE(document->reload());
+    EXPECT_EQ(std::get<ConstantIndex>(std::get<IsotropicMedium>(document->scene().media[0].matter).index).value.n,
+              1.61);
+    EXPECT_FALSE(document->dirty());
+
+    test::write_text(folder / "new", test::plate_scene(8, 8, "1.62"));
+    std::filesystem::rename(folder / "new", folder / "plate.yaml");
+    EXPECT_TRUE(file_changed(*document));
+    ASSERT_TRUE(document->reload());
+    EXPECT_EQ(std::get<ConstantIndex>(std::get<IsotropicMedium>(document->scene().media[0].matter).index).value.n,
+              1.62);
+
+    // Editors that move the old file away first leave a moment without any file.
+    std::filesystem::rename(folder / "plate.yaml", folder / "plate.yaml~");
+    EXPECT_FALSE(file_changed(*document));
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8, "1.63"));
+    EXPECT_TRUE(file_changed(*document));
+    EXPECT_FALSE(file_changed(*document));
+}
+
+TEST(Document, ABrokenFileIsExplainedAndTheOldPictureStays) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    const auto document = opened(folder / "plate.yaml");
+    test::finish(*document);
+    const StokesImage before = document->picture();
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8, "{indx: 1.5}"));
+    ASSERT_TRUE(file_changed(*document));
+    EXPECT_FALSE(document->reload());
+    ASSERT_TRUE(document->problem());
+    EXPECT_EQ(document->problem()->place.line, 4);
+    EXPECT_GT(document->problem()->place.column, 0);
+    document->update(1.0);
+    expect_same_picture(document->picture(), before);
+
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    ASSERT_TRUE(file_changed(*document));
+    ASSERT_TRUE(document->reload());
+    EXPECT_FALSE(document->problem());
+}
+
+TEST(Document, ReloadingCanBeUndoneSoThatNoEditIsLost) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    const auto document = opened(folder / "plate.yaml");
+    Scene scene = document->scene();
+    scene.camera.horizontal_fov *= 0.5;
+    const std::string edited = scene_hash(scene);
+    ASSERT_TRUE(document->edit(std::move(scene), "field of view"));
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8, "1.7"));
+    ASSERT_TRUE(document->reload());
+    EXPECT_FALSE(document->dirty());
+    ASSERT_TRUE(document->undo());
+    EXPECT_EQ(scene_hash(document->scene()), edited);
+    EXPECT_TRUE(document->dirty());
+}
+
+TEST(Document, FollowsAnExrFileThatIsWrittenAgain) {
+    const TemporaryFolder folder;
+    StokesImage picture;
+    picture.width = 3;
+    picture.height = 2;
+    picture.wavelengths_nm = {580.0};
+    picture.stokes.assign(6, {1.0, 0.5, 0.0, 0.0});
+    ASSERT_TRUE(write_exr(picture, folder / "a.exr"));
+    const auto document = opened(folder / "a.exr");
+    EXPECT_FALSE(document->has_scene());
+    EXPECT_FALSE(document->dirty());
+    picture.stokes.assign(6, {2.0, 0.5, 0.0, 0.0});
+    ASSERT_TRUE(write_exr(picture, folder / "a.exr"));
+    ASSERT_TRUE(file_changed(*document));
+    ASSERT_TRUE(document->reload());
+    EXPECT_EQ(document->picture().at(0, 5).s0, 2.0);
+    test::write_text(folder / "a.exr", "no picture");
+    ASSERT_TRUE(file_changed(*document));
+    EXPECT_FALSE(document->reload());
+    EXPECT_TRUE(document->problem());
+    EXPECT_EQ(document->picture().at(0, 5).s0, 2.0);
+}
+
+// An export reads the picture in another thread: the picture must not change under it, and edits must not wait for it.
+TEST(Document, ALentPictureStaysAsItIsWhileTheRenderGoesOn) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(64, 64));
+    const auto document = opened(folder / "plate.yaml");
+    auto lent = document->lend_picture();
+    const StokesImage copy = *lent;
+    while (!document->progress().finished) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    document->update(1.0);
+    expect_same_picture(*lent, copy);
+    Scene scene = document->scene();
+    scene.render.width = 32;
+    ASSERT_TRUE(document->edit(std::move(scene), "size"));
+    test::finish(*document);
+    EXPECT_EQ(document->picture().width, 32);
+    EXPECT_EQ(document->picture().samples[0], 1U);
+    expect_same_picture(*lent, copy);
+
+    auto again = document->lend_picture();
+    again.reset();
+    ASSERT_TRUE(document->undo());
+    test::finish(*document);
+    EXPECT_EQ(document->picture().samples[0], 1U);
+}
+
+TEST(Document, NoTwoDocumentsShareALayoutNumber) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    const auto a = opened(folder / "plate.yaml");
+    const auto b = opened(folder / "plate.yaml");
+    EXPECT_NE(a->picture_layout(), b->picture_layout());
+    const std::uint64_t layout = a->picture_layout();
+    Scene scene = a->scene();
+    scene.camera.horizontal_fov *= 0.5;
+    ASSERT_TRUE(a->edit(scene, "fov"));
+    EXPECT_EQ(a->picture_layout(), layout);
+    scene.render.wavelengths_nm = {550.0};
+    ASSERT_TRUE(a->edit(scene, "wavelengths"));
+    EXPECT_NE(a->picture_layout(), layout);
+}
+
+}  // namespace
+}  // namespace pol
