@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Selection {
     std::optional<PixelAddress> hovered;  ///< pixel under the cursor
     std::vector<PixelAddress> pins;       ///< pinned pixels, the current one included
     int current = -1;                     ///< index into pins; -1: none
+    std::uint32_t sample = 0;             ///< of the pinned pixel that is explained; 0 is its centre
     std::optional<int> node;              ///< branch of the current pin's tree: index into RayTree::nodes
     std::vector<bool> marked;             ///< by pixel, brushed in a histogram or on the sphere; empty: none
 

@@ -82,6 +82,7 @@ void Session::update() {
     Document* document = current();
     if (document != nullptr) document->update(update_s);
     fit_selection();
+    ask_for_explanation();
     if (document == nullptr) {
         shown_map.clear();
         return;
@@ -89,6 +90,30 @@ void Session::update() {
     const bool grows = !document->paused() && !document->progress().finished;
     shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s);
     if (!shown_map.complete() && !grows && wake_) wake_();
+}
+
+void Session::ask_for_explanation() {
+    const auto& asked = explanation_.request();
+    const auto wanted = wanted_explanation();
+    if (!asked || !wanted || !same_branches(*asked, *wanted)) selection.node.reset();
+    explanation_.ask(wanted);
+}
+
+std::optional<ExplanationRequest> Session::wanted_explanation() const {
+    const Document* document = current();
+    const auto pinned = selection.pinned();
+    if (document == nullptr || !document->has_scene() || !pinned) return std::nullopt;
+    const RenderSettings& settings = document->plan()->settings;
+    if (pinned->x >= settings.width || pinned->y >= settings.height) return std::nullopt;
+    const auto last_sample = static_cast<std::uint32_t>(settings.samples_per_pixel - 1);
+    const std::size_t last_wavelength = document->plan()->wavelengths_nm.size() - 1;
+    return ExplanationRequest{document->plan(), *pinned, std::min(selection.sample, last_sample),
+                              static_cast<int>(std::min(view.wavelength, last_wavelength))};
+}
+
+std::shared_ptr<const Explanation> Session::explanation() const {
+    // What was asked for last may be stale until the next update().
+    return explanation_.request() == wanted_explanation() ? explanation_.result() : nullptr;
 }
 
 void Session::follow_files() {

@@ -11,6 +11,7 @@
 #include "polarization/stokes.h"
 #include "viewer/bench.h"
 #include "viewer/document.h"
+#include "viewer/explanation.h"
 #include "viewer/export_queue.h"
 #include "viewer/log.h"
 #include "viewer/selection.h"
@@ -24,7 +25,7 @@ namespace pol {
 class Session {
 public:
     /// `wake` is called from worker threads whenever there is something new to draw.
-    explicit Session(std::function<void()> wake = {}) : exports(wake), wake_(std::move(wake)) {}
+    explicit Session(std::function<void()> wake = {}) : exports(wake), wake_(std::move(wake)), explanation_(wake_) {}
 
     /// Opens a file and makes it the current document; on error the log says why and nothing changes.
     bool open(const std::filesystem::path& path);
@@ -63,6 +64,14 @@ public:
     /// Releases the current pin; the one pinned before it becomes current.
     void unpin();
 
+    /// The backward tree of the pinned pixel, of Selection::sample, at the shown wavelength; it belongs to the current
+    /// document's plan(). Null while it is being found (update() starts that), or if there is none.
+    [[nodiscard]] std::shared_ptr<const Explanation> explanation() const;
+    /// How far it is. `nothing_asked` if no pixel of a scene is pinned: an EXR file has no scene to trace.
+    [[nodiscard]] ExplanationStatus explanation_status() const { return explanation_.status(); }
+    void cancel_explanation() { explanation_.cancel(); }
+    void restart_explanation() { explanation_.restart(); }
+
     ViewSettings view;
     ViewTransform transform;
     Selection selection;
@@ -74,6 +83,8 @@ public:
     bool quit_requested = false;
 
 private:
+    void ask_for_explanation();
+    [[nodiscard]] std::optional<ExplanationRequest> wanted_explanation() const;
     bool adopt(Result<std::unique_ptr<Document>> document);
     bool logged(const Result<Done>& result);
     void follow_files();
@@ -82,6 +93,7 @@ private:
     std::function<void()> wake_;
     std::vector<std::unique_ptr<Document>> documents_;
     int current_ = -1;
+    ExplanationJob explanation_;
 };
 
 }  // namespace pol

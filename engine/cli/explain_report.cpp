@@ -155,12 +155,10 @@ void write_branch(std::string& out, const Plan& plan, const Explanation& e, int 
     fmt::format_to(to, "{}   ray {}  k {}\n", pad, text_of(node.start.wave.ray), text_of(node.start.wave.k));
     fmt::format_to(to, "{}   to the camera {}\n", pad,
                    text_of(node.start.throughput, node.start.wave.kind != WaveKind::pair));
-    if (!node.arriving.empty())
-        fmt::format_to(
-            to, "{}   light here {}", pad,
-            text_of(node.arriving[static_cast<std::size_t>(e.place)], node.start.wave.kind != WaveKind::pair));
-    const double brings = node.share[static_cast<std::size_t>(e.place)].s0;
-    fmt::format_to(to, "{}brings S0 {:.6g}{}\n", node.arriving.empty() ? pad + "   " : ", ", brings,
+    if (node.arriving)
+        fmt::format_to(to, "{}   light here {}", pad, text_of(*node.arriving, node.start.wave.kind != WaveKind::pair));
+    const double brings = node.share.s0;
+    fmt::format_to(to, "{}brings S0 {:.6g}{}\n", node.arriving ? ", " : pad + "   ", brings,
                    e.sample_light.s0 > 0.0 ? fmt::format(" ({:.3g} %)", 100.0 * brings / e.sample_light.s0) : "");
     if (node.arrived)
         fmt::format_to(to, "{}   meets {} facet {} at {}, {:.6f} deg\n", pad, plan.body_name(node.crossing.body),
@@ -188,7 +186,6 @@ Json json_of(const CoherenceMatrix<double>& j) {
 Json json_of(const Plan& plan, const Explanation& e, int index) {
     const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(index)];
     const Wave<double>& wave = node.start.wave;
-    const auto place = static_cast<std::size_t>(e.place);
     Json out;
     out["id"] = index;
     out["parent"] = node.parent;
@@ -209,8 +206,8 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
         if (wave.kind == WaveKind::pair) columns.push_back(json_of(row[1]));
         out["matrix"].push_back(columns);
     }
-    if (!node.arriving.empty()) out["arriving"] = json_of(node.arriving[place]);
-    out["share"] = json_of(node.share[place]);
+    if (node.arriving) out["arriving"] = json_of(*node.arriving);
+    out["share"] = json_of(node.share);
     out["estimated"] = node.estimated;
     if (node.arrived) {
         out["surface"] = plan.body_name(node.crossing.body);
@@ -221,7 +218,7 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
     }
     if (node.reason) {
         out["ended"] = name_of(*node.reason);
-        if (!node.light.empty()) out["light"] = json_of(node.light[place]);
+        if (node.brings_light()) out["light"] = json_of(node.light);
     }
     return out;
 }

@@ -21,118 +21,145 @@ TraceResult trace_with(const Plan& plan, const TraceTask& task, Observer& observ
     return plan.features.absorbing ? run.template operator()<false, true>() : run.template operator()<false, false>();
 }
 
-/// Light that a leaf hands to its start: the emitter's coherence matrix in the field basis, absorption included.
-std::vector<CoherenceMatrix<double>> leaf_source(const Plan& plan, const TraceTask& task, const RayTreeNode& leaf) {
-    // The light of the leaf at the camera is M J M^H; written with M = 1 the same functions give J itself.
-    Node unit_node = leaf.end;
-    unit_node.throughput = Throughput::identity();
-    if (unit_node.wave.kind != WaveKind::pair) unit_node.throughput.m[1][1] = Complex<double>(0.0);
+/// Silent, but for asking whether anybody still waits.
+struct Patient : Silent {
+    const KeepGoing& keep_going;
+    std::size_t branches = 0;
+    [[nodiscard]] bool cancelled() const { return !keep_going(branches); }
+};
+
+constexpr std::size_t branches_between_questions = 256;
+
+/// What the sweep over a finished tree needs to know.
+struct Gathering {
+    const Plan& plan;
+    const TraceTask& task;
+    std::size_t place;  ///< of the wavelength in its group
     const WavelengthGroup& group = plan.groups[static_cast<std::size_t>(task.group)];
-    const double kept = leaf.start.weight > 0.0 ? leaf.end.weight / leaf.start.weight : 0.0;
-    const auto& camera_medium =
-        group.media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(task.region)].medium)];
-    std::vector<Stokes<double>> light(group.wavelengths.size());
-    if (leaf.reason == LeafReason::background) {
-        background_light(plan, group, unit_node, camera_medium.dielectric.n, light);
-    } else if (leaf.reason == LeafReason::emitter) {
-        const auto& role = std::get<EmitterRole>(plan.surface(leaf.crossing.body).role);
-        emitter_light(plan, task.group, plan.emitters[static_cast<std::size_t>(role.emitter)], unit_node, leaf.crossing,
-                      camera_medium.dielectric.n, light);
-    }
-    std::vector<CoherenceMatrix<double>> source;
-    for (const Stokes<double>& s : light) source.push_back(to_coherence(kept * s));
-    return source;
-}
 
-/// Matrices of the forward steps from each child's start to its parent's start: the step repeated with M = 1.
-Throughput step_matrix(const Plan& plan, const TraceTask& task, const RayTreeNode& parent, const RayTreeNode& child) {
-    Node node = parent.end;
-    const bool single = node.wave.kind != WaveKind::pair;
+    [[nodiscard]] const Dielectric<double>& medium(int region) const {
+        return group.media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium)].dielectric;
+    }
+};
+
+/// `node` as if the camera looked straight at it: the kernel's functions then give the light on it and the single step.
+Node with_unit_throughput(Node node) {
     node.throughput = Throughput::identity();
-    if (single) node.throughput.m[1][1] = Complex<double>(0.0);
-    const double kept = parent.start.weight > 0.0 ? std::sqrt(parent.end.weight / parent.start.weight) : 0.0;
-    Throughput step;
-    if (child.interaction == Interaction::sheet) {
-        const auto& role = std::get<SheetRole>(plan.surface(parent.crossing.body).role);
-        step = through_sheet(node, role.sheet, {}).throughput;
-    } else {
-        const auto& media = plan.groups[static_cast<std::size_t>(task.group)].media;
-        const auto medium = [&](int region) -> const Dielectric<double>& {
-            return media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium)].dielectric;
-        };
-        const FarSide far = far_side(plan, node.region, parent.crossing, node.origin);
-        const double sense = dot(parent.crossing.normal, node.wave.ray) < 0.0 ? -1.0 : 1.0;
-        Branches branches;
-        cross_boundary(node, medium(node.region), medium(far.region), parent.crossing.normal * sense, branches);
-        for (int i = 0; i < branches.count; ++i) {
-            const bool reflected = branches.side[i] == Side::reflected;
-            if (reflected == (child.interaction == Interaction::reflected) &&
-                branches.node[i].wave.k == child.start.wave.k)
-                step = branches.node[i].throughput;
-        }
+    if (node.wave.kind != WaveKind::pair) node.throughput.m[1][1] = Complex<double>(0.0);
+    return node;
+}
+
+/// Share of the weight that absorption leaves between the start of a branch and its end.
+double kept(const RayTreeNode& node) {
+    return node.start.weight > 0.0 ? node.end.weight / node.start.weight : 0.0;
+}
+
+/// Light that a leaf hands to its start: the emitter's coherence matrix in the field basis, absorption included.
+CoherenceMatrix<double> leaf_source(const Gathering& g, const RayTreeNode& leaf) {
+    const Node node = with_unit_throughput(leaf.end);
+    std::vector<Stokes<double>> light(g.group.wavelengths.size());
+    const double camera_n = g.medium(g.task.region).n;
+    if (leaf.reason == LeafReason::background) {
+        background_light(g.plan, g.group, node, camera_n, light);
+    } else if (leaf.reason == LeafReason::emitter) {
+        const auto& role = std::get<EmitterRole>(g.plan.surface(leaf.crossing.body).role);
+        emitter_light(g.plan, g.task.group, g.plan.emitters[static_cast<std::size_t>(role.emitter)], node,
+                      leaf.crossing, camera_n, light);
     }
-    step.scale(kept);
-    return step;
+    return to_coherence(kept(leaf) * light[g.place]);
 }
 
-CoherenceMatrix<double> through(const Throughput& step, const CoherenceMatrix<double>& light) {
-    return to_coherence(step.gather(light));
+/// The step at the end of `parent` once more, with M = 1: its branches carry the matrices from their starts to the end
+/// of the parent.
+void repeat_step(const Gathering& g, const RayTreeNode& parent, Branches& branches) {
+    const Node node = with_unit_throughput(parent.end);
+    if (!g.plan.is_solid(parent.crossing.body)) {
+        const auto& role = std::get<SheetRole>(g.plan.surface(parent.crossing.body).role);
+        branches.clear();
+        branches.node[0] = through_sheet(node, role.sheet, {});
+        branches.count = 1;
+        return;
+    }
+    const FarSide far = far_side(g.plan, node.region, parent.crossing, node.origin);
+    const double sense = dot(parent.crossing.normal, node.wave.ray) < 0.0 ? -1.0 : 1.0;
+    cross_boundary(node, g.medium(node.region), g.medium(far.region), parent.crossing.normal * sense, branches);
 }
 
-/// Children are born after their parents, so one sweep from the back gathers the light.
-void gather(const Plan& plan, const TraceTask& task, RayTree& tree) {
-    const std::size_t wavelengths = plan.groups[static_cast<std::size_t>(task.group)].wavelengths.size();
+/// The branch of the step that `child` is: there are none or one of a kind.
+const Node* same_branch(const Branches& branches, const RayTreeNode& child) {
+    for (int i = 0; i < branches.count; ++i) {
+        const bool reflected = branches.side[i] == Side::reflected;
+        if (child.interaction == Interaction::sheet || (reflected == (child.interaction == Interaction::reflected) &&
+                                                        branches.node[i].wave.k == child.start.wave.k))
+            return &branches.node[i];
+    }
+    return nullptr;
+}
+
+/// Children are born after their parents, so one sweep from the back gathers the light. False: not wanted any more.
+bool gather(const Gathering& g, RayTree& tree, const KeepGoing& keep_going) {
+    Branches branches;
+    std::size_t done = 0;
     for (auto node = tree.nodes.rbegin(); node != tree.nodes.rend(); ++node) {
-        node->share.assign(wavelengths, {});
-        for (std::size_t w = 0; w < node->light.size(); ++w) node->share[w] += node->light[w];
-        for (const int child : node->children)
-            for (std::size_t w = 0; w < wavelengths; ++w)
-                node->share[w] += tree.nodes[static_cast<std::size_t>(child)].share[w];
+        if (++done % branches_between_questions == 0 && !keep_going(tree.nodes.size())) return false;
+        node->share += node->light;
+        for (const int child : node->children) node->share += tree.nodes[static_cast<std::size_t>(child)].share;
         if (node->estimated) continue;
         if (node->reason) {
-            node->arriving = leaf_source(plan, task, *node);
+            node->arriving = leaf_source(g, *node);
             continue;
         }
-        node->arriving.assign(wavelengths, {});
-        for (const int child_index : node->children) {
-            const RayTreeNode& child = tree.nodes[static_cast<std::size_t>(child_index)];
-            if (child.estimated) continue;
-            const Throughput step = step_matrix(plan, task, *node, child);
-            for (std::size_t w = 0; w < wavelengths; ++w) node->arriving[w] += through(step, child.arriving[w]);
+        node->arriving.emplace();
+        if (node->children.empty()) continue;
+        repeat_step(g, *node, branches);
+        for (const int index : node->children) {
+            const RayTreeNode& child = tree.nodes[static_cast<std::size_t>(index)];
+            const Node* branch = same_branch(branches, child);
+            if (child.estimated || branch == nullptr) continue;
+            Throughput step = branch->throughput;
+            step.scale(std::sqrt(kept(*node)));
+            *node->arriving += to_coherence(step.gather(*child.arriving));
         }
     }
+    return true;
 }
 
 }  // namespace
 
-Explanation explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength) {
+std::optional<Explanation> explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength,
+                                   const KeepGoing& keep_going) {
     POL_EXPECTS(x >= 0 && y >= 0 && x < plan.settings.width && y < plan.settings.height);
     Explanation out;
     out.x = x;
     out.y = y;
     out.sample = sample;
     out.wavelength = wavelength;
-    const int group_index = plan.group_of_wavelength[static_cast<std::size_t>(wavelength)];
-    const std::vector<int>& members = plan.groups[static_cast<std::size_t>(group_index)].wavelengths;
-    out.place = static_cast<int>(std::find(members.begin(), members.end(), wavelength) - members.begin());
-    out.task = sample_task(plan, x, y, sample, group_index);
+    const int group = plan.group_of_wavelength[static_cast<std::size_t>(wavelength)];
+    const std::vector<int>& members = plan.groups[static_cast<std::size_t>(group)].wavelengths;
+    const auto place =
+        static_cast<std::size_t>(std::find(members.begin(), members.end(), wavelength) - members.begin());
+    out.task = sample_task(plan, x, y, sample, group);
 
-    TreeRecorder recorder;
-    std::vector<Stokes<double>> recorded(members.size());
-    out.result = trace_with(plan, out.task, recorder, recorded);
+    TreeRecorder recorder(place, keep_going);
+    std::vector<Stokes<double>> sums(members.size());
+    out.result = trace_with(plan, out.task, recorder, sums);
+    if (out.result.cancelled) return std::nullopt;
     out.tree = std::move(recorder.tree);
-    gather(plan, out.task, out.tree);
+    if (!gather({plan, out.task, place}, out.tree, keep_going)) return std::nullopt;
 
-    Silent silent;
-    std::vector<Stokes<double>> rendered(members.size());
-    trace_with(plan, out.task, silent, rendered);
-    const auto place = static_cast<std::size_t>(out.place);
-    out.sample_light = rendered[place];
+    Patient silent{{}, keep_going, out.tree.nodes.size()};
+    sums.assign(members.size(), {});
+    if (trace_with(plan, out.task, silent, sums).cancelled) return std::nullopt;
+    out.sample_light = sums[place];
     for (const int leaf : out.tree.leaves) {
-        const std::vector<Stokes<double>>& light = out.tree.nodes[static_cast<std::size_t>(leaf)].light;
-        if (!light.empty()) out.leaf_sum += light[place];
+        const RayTreeNode& node = out.tree.nodes[static_cast<std::size_t>(leaf)];
+        if (node.brings_light()) out.leaf_sum += node.light;
     }
     return out;
+}
+
+Explanation explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength) {
+    return *explain(plan, x, y, sample, wavelength, [](std::size_t) { return true; });
 }
 
 }  // namespace pol

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 #include "plan/plan.h"
 #include "tracer/ray_tree.h"
@@ -16,7 +16,6 @@ struct Explanation {
     int y = 0;
     std::uint32_t sample = 0;
     int wavelength = 0;  ///< index into Plan::wavelengths_nm
-    int place = 0;       ///< of that wavelength in its group: index into RayTreeNode::light and ::arriving
     TraceTask task{};    ///< camera ray with its frame
     RayTree tree;
     TraceResult result{};
@@ -28,5 +27,10 @@ struct Explanation {
 
 /// Requires: pixel inside the picture, wavelength an index into plan.wavelengths_nm.
 Explanation explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength);
+
+/// The same, for who may not want to wait: none once `keep_going` has said no. It is asked after a few hundred branches
+/// each, on the calling thread.
+std::optional<Explanation> explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength,
+                                   const KeepGoing& keep_going);
 
 }  // namespace pol

@@ -13,7 +13,9 @@ void TreeRecorder::opened(const Node& node, int parent, Interaction interaction)
     entry.end = node;
     entry.estimated = in_tail_;
     tree.nodes.push_back(std::move(entry));
-    if (parent >= 0) at(parent).children.push_back(node.id);
+    if (parent < 0) return;
+    auto& children = at(parent).children;
+    children = {children.empty() ? node.id : *children.begin(), node.id + 1};
 }
 
 void TreeRecorder::reached(const Node& node, const Crossing& crossing) {
@@ -30,7 +32,7 @@ void TreeRecorder::ended(const Node& node, LeafReason reason, std::span<const St
     RayTreeNode& entry = at(node.id);
     entry.end = node;
     entry.reason = reason;
-    entry.light.assign(light.begin(), light.end());
+    if (!light.empty()) entry.light = light[place_];
     tree.leaves.push_back(node.id);
 }
 

@@ -2,9 +2,10 @@
 // A backward tree written down: every branch with what it met, what it weighs and the light that came along it.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <ranges>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "polarization/coherence_matrix.h"
@@ -13,7 +14,8 @@
 
 namespace pol {
 
-/// One branch. Directions are those of the backward ray; the light travels the other way.
+/// One branch. Directions are those of the backward ray; the light travels the other way. Light is given at the one
+/// wavelength that the tree was recorded for.
 struct RayTreeNode {
     int parent = -1;
     Interaction interaction = Interaction::camera;
@@ -21,16 +23,20 @@ struct RayTreeNode {
     Node end;             ///< as it arrived: origin is the point, absorption along the way is in the throughput
     Crossing crossing{};  ///< what it met; body -1: nothing
     bool arrived = false;
-    bool estimated = false;             ///< on the random tail: rescaled to stand for all that was open
-    double angle = 0.0;                 ///< of incidence of the ray where it arrived, radians
-    std::optional<LeafReason> reason;   ///< why it ended; none: it branched
-    std::vector<Stokes<double>> light;  ///< its share of the pixel per wavelength of the group, leaves only
+    bool estimated = false;            ///< on the random tail: rescaled to stand for all that was open
+    double angle = 0.0;                ///< of incidence of the ray where it arrived, radians
+    std::optional<LeafReason> reason;  ///< why it ended; none: it branched
+    Stokes<double> light{};            ///< its share of the pixel; zero unless brings_light()
     /// Coherence matrix of the light that arrives at the start of this branch, in start.wave.field (a single mode uses
-    /// xx only), basic radiance times n_camera^2, per wavelength of the group. Empty on the random tail.
-    std::vector<CoherenceMatrix<double>> arriving;
-    std::vector<Stokes<double>>
-        share;  ///< what this branch and all that grew from it bring to the pixel, per wavelength
-    std::vector<int> children;
+    /// xx only), basic radiance times n_camera^2. None on the random tail.
+    std::optional<CoherenceMatrix<double>> arriving;
+    Stokes<double> share{};                     ///< what this branch and all that grew from it bring to the pixel
+    std::ranges::iota_view<int, int> children;  ///< indices into RayTree::nodes: siblings are born in a row
+
+    /// True for a leaf that ended on a source of light.
+    [[nodiscard]] bool brings_light() const {
+        return reason == LeafReason::emitter || reason == LeafReason::background;
+    }
 };
 
 struct RayTree {
@@ -38,12 +44,18 @@ struct RayTree {
     std::vector<int> leaves;         ///< in the order in which they ended: their light adds up to the sample
 };
 
-/// Observer that writes the tree down (tracer/observers.h).
+/// Asked now and then, with the number of branches so far, by work that may take long: false ends it.
+using KeepGoing = std::function<bool(std::size_t branches)>;
+
+/// Observer that writes the tree down (tracer/observers.h), with the light of one wavelength of the group.
 class TreeRecorder {
 public:
+    /// `place` of the wavelength in its group.
+    TreeRecorder(std::size_t place, const KeepGoing& keep_going) : place_(place), keep_going_(keep_going) {}
+
     RayTree tree;
 
-    [[nodiscard]] bool cancelled() const { return false; }
+    [[nodiscard]] bool cancelled() const { return !keep_going_(tree.nodes.size()); }
     void opened(const Node& node, int parent, Interaction interaction);
     void reached(const Node& node, const Crossing& crossing);
     void ended(const Node& node, LeafReason reason, std::span<const Stokes<double>> light);
@@ -51,6 +63,8 @@ public:
 
 private:
     [[nodiscard]] RayTreeNode& at(int id) { return tree.nodes[static_cast<std::size_t>(id)]; }
+    std::size_t place_;
+    const KeepGoing& keep_going_;
     bool in_tail_ = false;
 };
 

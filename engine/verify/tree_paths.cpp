@@ -43,7 +43,7 @@ std::vector<const RayTreeNode*> path(const Explanation& explanation, std::string
     std::vector<const RayTreeNode*> branches;
     for (const int leaf : tree.leaves) {
         const RayTreeNode& end = node_at(tree, leaf);
-        if (end.estimated || end.light.empty() || route(tree, leaf) != letters) continue;
+        if (end.estimated || !end.brings_light() || route(tree, leaf) != letters) continue;
         if (!branches.empty()) return {};
         for (int i = leaf; i >= 0; i = node_at(tree, i).parent) branches.push_back(&node_at(tree, i));
     }
@@ -53,7 +53,7 @@ std::vector<const RayTreeNode*> path(const Explanation& explanation, std::string
 Stokes<double> light_along(const Explanation& explanation, std::string_view letters) {
     const auto branches = path(explanation, letters);
     if (branches.empty()) return {nan, nan, nan, nan};
-    return branches.back()->light[static_cast<std::size_t>(explanation.place)];
+    return branches.back()->light;
 }
 
 const RayTreeNode* find_branch(const Explanation& explanation, std::string_view route) {

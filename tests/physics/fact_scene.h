@@ -118,7 +118,7 @@ inline std::vector<const RayTreeNode*> path(const Explanation& explanation, cons
     std::vector<const RayTreeNode*> branches;
     for (const int leaf : tree.leaves) {
         const RayTreeNode& end = tree.nodes[static_cast<std::size_t>(leaf)];
-        if (end.estimated || end.light.empty() || route(tree, leaf) != letters) continue;
+        if (end.estimated || !end.brings_light() || route(tree, leaf) != letters) continue;
         if (!branches.empty()) throw std::runtime_error("two paths " + letters);
         for (int i = leaf; i >= 0; i = tree.nodes[static_cast<std::size_t>(i)].parent)
             branches.insert(branches.begin(), &tree.nodes[static_cast<std::size_t>(i)]);
@@ -132,7 +132,7 @@ std::vector<const RayTreeNode*> path(Explanation&&, const std::string&) = delete
 /// What the only path with that route brings to the pixel.
 inline Stokes<double> light_along(const Explanation& explanation, const std::string& letters) {
     if (!explanation.exact()) throw std::runtime_error("the explanation is not the picture");
-    return path(explanation, letters).back()->light[static_cast<std::size_t>(explanation.place)];
+    return path(explanation, letters).back()->light;
 }
 inline Stokes<double> light_along(const std::string& yaml, const std::string& letters) {
     return light_along(explain_look(scene_of(yaml)), letters);

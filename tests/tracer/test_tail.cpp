@@ -87,7 +87,7 @@ TEST(Tail, IsNeverBrighterThanAllThatWasOpen) {
                 double estimated = 0.0;
                 for (const int leaf : e.tree.leaves) {
                     const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(leaf)];
-                    if (node.estimated && !node.light.empty()) estimated += node.light[0].s0;
+                    if (node.estimated) estimated += node.light.s0;
                 }
                 ASSERT_LE(estimated, e.result.tail * plan->brightest[0] * (1.0 + 1e-13)) << budget << ", sample " << k;
                 if (estimated > 0.0) ++tails;
