@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/check_command.h"
 #include "cli/converge_command.h"
 #include "cli/explain_command.h"
 #include "cli/interface_command.h"
@@ -29,18 +30,24 @@ namespace {
 
 /// What CLI11 has to complain about, with the nearest command or option for a word that is neither.
 Error usage_error(const CLI::App& app, const CLI::Error& complaint) {
-    const std::vector<CLI::App*> chosen = app.get_subcommands();
-    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    const CLI::App* chosen = &app;
+    std::string names = "polariscope ";
+    while (!chosen->get_subcommands().empty()) {
+        chosen = chosen->get_subcommands().front();
+        names += chosen->get_name() + " ";
+    }
+    const CLI::App& command = *chosen;
     Error error{ErrorKind::usage, complaint.what()};
-    error.hint = fmt::format("see polariscope {}--help", chosen.empty() ? "" : command.get_name() + " ");
+    error.hint = fmt::format("see {}--help", names);
 
     std::vector<std::string> known;
     const std::vector<std::string> unknown = command.remaining();
     if (unknown.empty()) return error;
     const bool is_option = unknown.front().starts_with("-");
-    if (!is_option && !chosen.empty()) return error;
+    const std::vector<const CLI::App*> commands = command.get_subcommands({});
+    if (!is_option && commands.empty()) return error;
     error.what = fmt::format("there is no {} '{}'", is_option ? "option" : "command", unknown.front());
-    for (const CLI::App* one : app.get_subcommands({})) known.push_back(one->get_name());
+    for (const CLI::App* one : commands) known.push_back(one->get_name());
     if (is_option) {
         known.clear();
         for (const CLI::Option* option : command.get_options())
@@ -57,8 +64,9 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     app.set_version_flag("--version", POL_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 done; 1 defect of this program; 2 usage; 3 scene or asset; 4 output; 5 self-check failed\n"
-        "(energy, not-a-number); 10 time limit before the samples asked for; 33 out of memory; 130, 143 stopped.\n"
+        "Exit codes: 0 done; 1 defect of this program, or a fact that fails; 2 usage; 3 scene or asset; 4 output;\n"
+        "5 self-check failed (energy, not-a-number); 10 time limit before the samples asked for; 33 out of memory; "
+        "130, 143 stopped.\n"
         "\nExample:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr\n"
         "  polariscope maps calcite.exr --map dop -o dop.png");
@@ -69,6 +77,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     add_interface_command(app, exit_code);
     add_plan_command(app, exit_code);
     add_converge_command(app, exit_code);
+    add_check_command(app, exit_code);
     for (const AddCommand add : more) add(app, exit_code);
     try {
         app.parse(argc, argv);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of polarization optics with a closed form, each with scenes in which the tracer must show it. The list is
-// physics.md section 5; `polariscope check facts` runs it and the window's "Facts" menu opens its scenes.
+// Facts of polarization optics with a closed form, each with scenes in which the tracer must show it. T1 to T50 are
+// those of physics.md section 5, T51 and up what it leaves out; `polariscope check facts` runs it and the window's
+// "Facts" menu opens its scenes.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +43,7 @@ struct Reading {
 };
 
 struct Fact {
-    std::string id;        ///< "T1", as in physics.md section 5
+    std::string id;        ///< "T1"
     std::string sentence;  ///< the physics in plain words
     std::string source;    ///< where the closed form stands
     std::vector<FactView> views{};
@@ -74,7 +75,7 @@ struct FactResult {
     std::optional<Error> error{};
 };
 
-/// T1 to T50, in this order.
+/// T1, T2, ... in this order.
 const std::vector<Fact>& facts();
 
 /// The fact with that id, in any case ("t9"), or nullptr.

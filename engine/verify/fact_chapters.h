@@ -16,9 +16,9 @@ namespace pol::verify {
 std::vector<Fact> reflection_facts();        // T1 to T3, T16 to T20
 std::vector<Fact> plate_facts();             // T4 to T8, T14
 std::vector<Fact> total_reflection_facts();  // T9 to T12
-std::vector<Fact> element_facts();           // T13
+std::vector<Fact> element_facts();           // T13, T52, T53
 std::vector<Fact> drop_facts();              // T15
-std::vector<Fact> crystal_plate_facts();     // T21 to T25, T35, T44, T45
+std::vector<Fact> crystal_plate_facts();     // T21 to T25, T35, T44, T45, T51
 std::vector<Fact> crystal_contact_facts();   // T26, T36, T37
 std::vector<Fact> crystal_prism_facts();     // T27 to T29
 std::vector<Fact> crystal_face_facts();      // T30 to T34, T38, T39

@@ -28,7 +28,7 @@ std::string beam_splitter(double degree) {
 Fact sum_of_equal_states() {
     Fact fact{
         "T46",
-        "Two equal linear states at an angle theta add, incoherently, to P = |cos theta|, and never to elliptic light.",
+        "Two equal linear states at an angle theta add, incoherently, to P = |cos theta|, never to elliptic light.",
         "coherence matrices add, physics.md 1"};
     const Tolerance tolerance = rounding(200.0 / 0.08, "two surfaces / 0.08");
     for (const double degree : {15.0, 60.0}) {

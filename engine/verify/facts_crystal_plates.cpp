@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// T21 to T25, T35, T44 and T45: plane-parallel crystal plates, alone and between polarizers.
+// T21 to T25, T35, T44, T45 and T51: plane-parallel crystal plates, alone and between polarizers.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -213,6 +213,32 @@ Fact linear_light_through_a_thick_plate() {
     return fact;
 }
 
+Fact absorbing_plate() {
+    Fact fact{"T51", "Tourmaline polarizes by swallowing o; each mode is absorbed over its own path.",
+              "Beer-Lambert exp(-alpha l) on power, physics.md 2.9"};
+    const std::size_t tourmaline = add_view(
+        fact, "tourmaline",
+        plate_scene("{ordinary: 1.640, extraordinary: 1.620, axis: [1, 0, 0], absorption_o: 200, absorption_e: 0}"));
+    expect(fact, tourmaline, "transmittance of e", plate_transmittance(1.620), all_passes, of_pixel(p_share));
+    expect(fact, tourmaline, "degree of polarization", 1.0, rounding(4.0, "a ratio of Stokes components"),
+           of_pixel(dop));
+    // The axis is across the plane of incidence: s is e with the plain index n_e, p is o.
+    const double i = radians(50.0);
+    const std::size_t oblique =
+        add_view(fact, "weak absorption at 50 degrees",
+                 plate_scene("{ordinary: 1.6584, extraordinary: 1.4864, axis: [0, 1, 0], absorption_o: 0.7, "
+                             "absorption_e: 0.2}",
+                             "depth: 2", i));
+    const auto path_length = [i](double n) { return 1.0 / std::cos(std::asin(std::sin(i) / n)); };
+    expect(fact, oblique, "transmittance of s (e)",
+           std::pow(1.0 - ClosedFresnel(n_e, i).R_s(), 2) * std::exp(-0.2 * path_length(n_e)), two_surfaces,
+           of_pixel(s_share));
+    expect(fact, oblique, "transmittance of p (o)",
+           std::pow(1.0 - ClosedFresnel(n_o, i).R_p(), 2) * std::exp(-0.7 * path_length(n_o)), two_surfaces,
+           of_pixel(p_share));
+    return fact;
+}
+
 }  // namespace
 
 std::vector<Fact> crystal_plate_facts() {
@@ -223,7 +249,8 @@ std::vector<Fact> crystal_plate_facts() {
             turned_plate(),
             vanishing_birefringence(),
             incoherent_plate_between_polarizers(),
-            linear_light_through_a_thick_plate()};
+            linear_light_through_a_thick_plate(),
+            absorbing_plate()};
 }
 
 }  // namespace pol::verify

@@ -74,9 +74,10 @@ Fact plate_by_angle() {
         const ClosedFresnel f(n_glass, radians(angle));
         const std::string name = std::to_string(static_cast<int>(angle)) + " degrees";
         const std::size_t view = add_view(fact, name, pile(1, radians(angle), "residual: 1e-13"));
-        expect(fact, view, "straight path: P", dop_of(std::pow(1.0 - f.R_s(), 2), std::pow(1.0 - f.R_p(), 2)),
-               many_surfaces, along("TT", dop));
-        expect(fact, view, "all passes: P", dop_of(pile_transmittance(1, f.R_s()), pile_transmittance(1, f.R_p())),
+        expect(fact, view, "degree of polarization, straight path",
+               dop_of(std::pow(1.0 - f.R_s(), 2), std::pow(1.0 - f.R_p(), 2)), many_surfaces, along("TT", dop));
+        expect(fact, view, "degree of polarization, all passes",
+               dop_of(pile_transmittance(1, f.R_s()), pile_transmittance(1, f.R_p())),
                residual_bound(1e-13, 3.0, many_surfaces), of_pixel(dop));
     }
     return fact;

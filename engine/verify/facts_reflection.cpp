@@ -87,7 +87,7 @@ Fact reflection_by_angle() {
 
     const Stokes<double> turned = f.of_diagonal_light();
     const std::size_t linear =
-        add_view(fact, "45 degrees, light at +45 degrees", mirror_scene("1.5", radians(45.0), polarized(diagonal)));
+        add_view(fact, "45 degrees, diagonal light", mirror_scene("1.5", radians(45.0), polarized(diagonal)));
     expect(fact, linear, "S2", turned.s2, one_surface, of_pixel(s2));
 
     const double i = radians(90.0) - 1e-3;
@@ -159,7 +159,7 @@ Fact metal_reflection() {
         expect(fact, normal, "reflectance", ClosedFresnel(index, 0.0).R_s(), one_surface, of_pixel(s0));
         const std::size_t oblique = add_view(fact, name + ", 45 degrees", mirror_scene(medium, radians(45.0)));
         expect(fact, oblique, "degree of polarization", dop_of(f.R_s(), f.R_p()), one_surface, of_pixel(dop));
-        const std::size_t linear = add_view(fact, name + ", 45 degrees, light at +45 degrees",
+        const std::size_t linear = add_view(fact, name + ", 45 degrees, diagonal light",
                                             mirror_scene(medium, radians(45.0), polarized(diagonal)));
         expect(fact, linear, "S3", turned.s3, one_surface, of_pixel(s3));
         expect(fact, linear, "ellipticity",
@@ -212,9 +212,9 @@ Fact reversed_ray() {
     const std::size_t out = add_view(fact, "lamp inside, camera outside", refraction_scene(n_glass, i));
     const std::size_t in = add_view(fact, "camera inside, lamp outside", from_inside_scene(n_glass, i));
     const double t = 1.0 - 0.5 * (f.R_s() + f.R_p());
-    expect(fact, out, "transmittance on the way out", t, rounding(72.0, "one surface, n^2"),
+    expect(fact, out, "transmittance", t, rounding(72.0, "one surface, n^2"),
            of_pixel([](const Stokes<double>& s) { return n_glass * n_glass * s.s0; }));
-    expect(fact, in, "transmittance on the way in", t, one_surface,
+    expect(fact, in, "transmittance", t, one_surface,
            of_pixel([](const Stokes<double>& s) { return s.s0 / (n_glass * n_glass); }));
     expect(fact, in, "radiance inside", n4 * t / (n_glass * n_glass), rounding(72.0, "one surface, n^2"), of_pixel(s0));
     expect(fact, out, "r of s from outside", f.r_s.re, one_surface, s_amplitude(Interaction::reflected));

@@ -8,7 +8,7 @@ import unittest
 
 from program import REPOSITORY, SCENES, ProgramTest, main
 
-COMMANDS = ("render", "maps", "explain", "interface", "plan")
+COMMANDS = ("render", "maps", "explain", "interface", "plan", "check")
 GLASS = SCENES / "cube-glass.yaml"
 
 BAD_USAGE = [
@@ -72,6 +72,11 @@ BAD_USAGE = [
     (("interface", "--from", "air", "--to", "1.5", "--angle", "nan"), "--angle"),
     (("interface", "--from", "air", "--to", "1.5", "--wavelength", "0"), "--wavelength"),
     (("plan",), "SCENE"),
+    (("check",), "subcommand"),
+    (("check", "fatcs"), "'facts'"),
+    (("check", "facts", "T99x"), "no fact 'T99x'"),
+    (("check", "facts", "TI9"), "did you mean 'T9'"),
+    (("check", "facts", "--jsno"), "'--json'"),
 ]
 
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace pol {
+
+/// Adds `polariscope check`: the program proves its physics (`check facts`). When the command runs it sets `exit_code`;
+/// `exit_code` must outlive `app`.
+void add_check_command(CLI::App& app, int& exit_code);
+
+/// Adds `facts` to the command `check`.
+void add_check_facts_command(CLI::App& check, int& exit_code);
+
+}  // namespace pol
