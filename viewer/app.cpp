@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/app.h"
 
-#include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <csignal>
-#include <cstring>
+#include <cstdio>
+#include <ctime>
+#include <optional>
 #include <string>
 
-#include "viewer/commands.h"
-#include "viewer/gl/gl.h"
+#include "viewer/app_probe.h"
+#include "viewer/app_window.h"
+#include "viewer/frame_pacer.h"
 #include "viewer/interface.h"
 #include "viewer/picture_renderer.h"
 
@@ -19,128 +20,148 @@ namespace pol {
 
 namespace {
 
-volatile std::sig_atomic_t end_requested = 0;
-
-void remember_signal(int /*signal*/) {
-    end_requested = 1;
-}
-
-std::string last_glfw_error;
-
-Key key_of(int glfw_key) {
-    switch (glfw_key) {
-        case GLFW_KEY_ESCAPE:
-            return Key::escape;
-        case GLFW_KEY_ENTER:
-            return Key::enter;
-        case GLFW_KEY_TAB:
-            return Key::tab;
-        case GLFW_KEY_DELETE:
-            return Key::del;
-        case GLFW_KEY_LEFT:
-            return Key::left;
-        case GLFW_KEY_RIGHT:
-            return Key::right;
-        case GLFW_KEY_UP:
-            return Key::up;
-        case GLFW_KEY_DOWN:
-            return Key::down;
-        default:
-            break;
+/// Signals that the event loop asks for instead of being interrupted by: no handler, nothing global.
+class PendingSignals {
+public:
+    /// Before any thread starts, so that all inherit it.
+    explicit PendingSignals(bool with_probe) {
+        sigemptyset(&set_);
+        sigaddset(&set_, SIGTERM);
+        sigaddset(&set_, SIGINT);
+        if (with_probe) sigaddset(&set_, SIGUSR1);
+        sigprocmask(SIG_BLOCK, &set_, nullptr);
     }
-    if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F12)
-        return static_cast<Key>(static_cast<int>(Key::f1) + glfw_key - GLFW_KEY_F1);
-    return glfw_key < 128 ? static_cast<Key>(glfw_key) : Key::none;
+    /// A signal that has come since the last call, or nothing.
+    [[nodiscard]] std::optional<int> next() const {
+        constexpr timespec at_once{0, 0};
+        const int signal = sigtimedwait(&set_, nullptr, &at_once);
+        return signal > 0 ? std::optional(signal) : std::nullopt;
+    }
+
+private:
+    sigset_t set_{};
+};
+
+/// What makes a frame worth drawing when neither the user nor a worker said so (a watched file, an export's end).
+struct Shown {
+    const Document* document = nullptr;
+    std::uint64_t version = 0;
+    std::size_t messages = 0;
+    friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+Shown shown(const Session& session) {
+    const Document* document = session.current();
+    return {document, document == nullptr ? 0 : document->picture_version(), session.log.lines().size()};
 }
 
-/// Keys come from the window's own callback: ImGui 1.86 misses a press and release within one frame.
-void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
-    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
-    if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
-    auto& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
-    run_command(session, {key_of(key), (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0});
-}
+class EventLoop {
+public:
+    EventLoop(WindowLibrary& library, AppWindow& window, Session& session, PictureRenderer& picture, AppProbe* probe)
+        : library_(library), window_(window), session_(session), picture_(picture), probe_(probe) {}
 
-void on_drop(GLFWwindow* window, int count, const char** paths) {
-    auto& session = *static_cast<Session*>(glfwGetWindowUserPointer(window));
-    for (int i = 0; i < count; ++i) session.open(paths[i]);
-}
+    void run(const PendingSignals& signals) {
+        while (session_.window.quit != Quit::confirmed) {
+            library_.wait(pacer_.wait(library_.now()).value_or(longest_sleep_s));
+            while (const auto signal = signals.next()) obey(*signal);
+            note_what_happened();
+            const auto due = pacer_.wait(library_.now());
+            if (due && *due <= 0.0) draw();
+        }
+    }
 
-void run_loop(GLFWwindow* window, Session& session, PictureRenderer& picture) {
-    Interface interface;
-    while (glfwWindowShouldClose(window) == 0 && end_requested == 0 && !session.quit_requested) {
-        glfwWaitEventsTimeout(0.25);
-        session.update();
-        picture.upload(session);
-        ImGui_ImplOpenGL3_NewFrame();
-        ImGui_ImplGlfw_NewFrame();
-        ImGui::NewFrame();
-        int width = 0;
-        int height = 0;
-        glfwGetFramebufferSize(window, &width, &height);
+private:
+    /// Signals and watched files are looked at so often while nothing happens.
+    static constexpr double longest_sleep_s = 0.25;
+    static constexpr double cursor_blink_s = 0.4;
+
+    void obey(int signal) {
+        if (signal != SIGUSR1) {
+            session_.window.quit = Quit::confirmed;
+        } else if (probe_ != nullptr) {
+            probe_->ask();
+            pacer_.animate(library_.now(), 0.0);
+        }
+    }
+
+    void note_what_happened() {
+        const double now = library_.now();
+        if (window_.take_input()) {
+            pacer_.input(now);
+            if (!input_at_) input_at_ = now;
+        }
+        if (library_.woken()) {
+            pacer_.news();
+        } else if (!pacer_.wait(now)) {
+            const Shown before = shown(session_);
+            session_.update();
+            if (shown(session_) != before) pacer_.input(now);
+        }
+    }
+
+    void draw() {
+        const double start = library_.now();
+        library_.clear_wake();
+        session_.update();
+        picture_.upload(session_);
         Frame frame;
-        const double ratio = ImGui::GetIO().DisplayFramebufferScale.x;
-        static std::uint32_t texture = 0;
-        frame.picture_texture = texture;
-        interface.draw(session, frame);
+        frame.ui_scale = window_.begin_frame();
+        frame.picture_texture = texture_;
+        if (probe_ != nullptr) probe_->begin();
+        interface_.draw(session_, frame);
+        if (probe_ != nullptr) probe_->end(session_, frame.viewport);
         ImGui::Render();
-        texture = picture.render(session, std::max(1, static_cast<int>(frame.viewport.size.x * ratio)),
-                                 std::max(1, static_cast<int>(frame.viewport.size.y * ratio)), ratio);
-        glViewport(0, 0, width, height);
-        glClear(GL_COLOR_BUFFER_BIT);
-        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-        glfwSwapBuffers(window);
+        const double ratio = window_.pixel_ratio();
+        const auto pixels = [ratio](double points) { return std::max(1, static_cast<int>(points * ratio)); };
+        texture_ = picture_.render(session_, pixels(frame.viewport.size.x), pixels(frame.viewport.size.y), ratio);
+        window_.follow(session_);
+        window_.end_frame();
+        const double end = library_.now();
+        pacer_.drawn(start, end);
+        if (ImGui::GetIO().WantTextInput) frame.again(cursor_blink_s);
+        if (frame.redraw_in < 1e9) pacer_.animate(end, frame.redraw_in);
+        if (probe_ != nullptr) probe_->note_frame(end - start, input_at_ ? end - *input_at_ : 0.0);
+        input_at_.reset();
     }
+
+    WindowLibrary& library_;
+    AppWindow& window_;
+    Session& session_;
+    PictureRenderer& picture_;
+    AppProbe* probe_;
+    Interface interface_;
+    FramePacer pacer_;
+    std::uint32_t texture_ = 0;
+    std::optional<double> input_at_;  // first input that no frame has answered yet
+};
+
+/// Opens what can be opened and says on stderr what cannot. Error: nothing could.
+Result<Done> open_all(Session& session, const std::vector<std::filesystem::path>& files) {
+    for (const auto& file : files)
+        if (!session.open(file)) std::fprintf(stderr, "polariscope: %s\n", session.log.lines().back().text.c_str());
+    if (!files.empty() && session.documents().empty())
+        return Error{ErrorKind::input, "there is nothing to show", {}, {}, "see the messages above"};
+    return Done{};
 }
 
 }  // namespace
 
-Result<Done> run_app(const std::vector<std::filesystem::path>& files) {
-    glfwSetErrorCallback([](int /*code*/, const char* text) { last_glfw_error = text; });
-    if (glfwInit() == 0)
-        return Error{ErrorKind::usage,
-                     "there is no display: " + last_glfw_error,
-                     {},
-                     {},
-                     "render to a file instead: polariscope render SCENE -o OUT.exr"};
-    std::signal(SIGTERM, remember_signal);
-    std::signal(SIGINT, remember_signal);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    GLFWwindow* window = glfwCreateWindow(1280, 800, "polariscope", nullptr, nullptr);
-    if (window == nullptr) {
-        glfwTerminate();
-        return Error{ErrorKind::usage,
-                     "no window with OpenGL 3.3: " + last_glfw_error,
-                     {},
-                     {},
-                     "install a GL driver such as libgl1-mesa-dri"};
-    }
-    glfwMakeContextCurrent(window);
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;
-    Result<Done> result = Done{};
-    {
-        Session session(glfwPostEmptyEvent);
-        glfwSetWindowUserPointer(window, &session);
-        ImGui_ImplGlfw_InitForOpenGL(window, true);
-        ImGui_ImplOpenGL3_Init("#version 330 core");
-        glfwSetKeyCallback(window, on_key);
-        glfwSetDropCallback(window, on_drop);
-        for (const auto& file : files) session.open(file);
-        auto picture = PictureRenderer::create();
-        if (picture)
-            run_loop(window, session, *picture.value());
-        else
-            result = picture.error();
-        ImGui_ImplOpenGL3_Shutdown();
-        ImGui_ImplGlfw_Shutdown();
-    }
-    ImGui::DestroyContext();
-    glfwDestroyWindow(window);
-    glfwTerminate();
-    return result;
+Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppOptions& options) {
+    const PendingSignals signals(!options.probe.empty());
+    auto library = WindowLibrary::start();
+    if (!library) return library.error();
+    Session session([&library] { library.value()->wake(); });
+    session.window.theme = options.theme.value_or(session.window.theme);
+    session.window.ui_scale = options.ui_scale.value_or(session.window.ui_scale);
+    if (const auto opened = open_all(session, files); !opened) return opened.error();
+    auto window = AppWindow::open(session, options);
+    if (!window) return window.error();
+    auto picture = PictureRenderer::create();
+    if (!picture) return picture.error();
+    std::optional<AppProbe> probe;
+    if (!options.probe.empty()) probe.emplace(options.probe);
+    EventLoop(*library.value(), *window.value(), session, *picture.value(), probe ? &*probe : nullptr).run(signals);
+    return Done{};
 }
 
 }  // namespace pol

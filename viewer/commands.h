@@ -11,18 +11,29 @@
 namespace pol {
 
 struct Command {
-    std::string_view group;  ///< heading in the help sheet and name of the menu: "Map", "View", "Pixel", "File", ...
+    std::string_view group;  ///< name of the menu and heading in the help sheet
     std::string_view title;  ///< as in the menu
     KeyChord chord;          ///< none: menu only
     std::string_view help;   ///< one sentence for the help sheet and the tooltip
     void (*run)(Session&);
     bool (*enabled)(const Session&) = nullptr;  ///< null: always
+    KeyChord also{};                            ///< a second chord
+    bool repeats = false;                       ///< while the key is held
+    bool (*checked)(const Session&) = nullptr;  ///< null: no check mark in the menu
 };
 
-/// All commands, in the order of the help sheet.
+/// All commands, in the order of menus and help sheet: rows of a group follow each other.
 std::span<const Command> commands();
 
-/// Runs the command bound to `chord`; false if there is none or it is not enabled.
-bool run_command(Session& session, const KeyChord& chord);
+/// The command that the chord means now, or null. Two commands may share a chord if they are never enabled together
+/// (arrow keys with and without a pinned pixel).
+const Command* command_for(const Session& session, const KeyChord& chord);
+
+[[nodiscard]] inline bool is_enabled(const Command& command, const Session& session) {
+    return command.enabled == nullptr || command.enabled(session);
+}
+
+/// Runs what `chord` means; false if that is nothing. `held`: the key repeats.
+bool run_command(Session& session, const KeyChord& chord, bool held = false);
 
 }  // namespace pol

@@ -2,7 +2,9 @@
 // What one frame of the interface needs from whoever shows it, and what it asks of it in return.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "core/vec.h"
 
@@ -21,6 +23,10 @@ struct Frame {
     /// Out: where the picture's viewport lies; the texture is rendered for this rectangle after the interface is built
     /// and before it is shown, so that both belong to the same frame.
     ViewRect viewport{};
+    /// Out: draw the next frame after so many seconds even if nothing happens. Panels that move something call again().
+    double redraw_in = std::numeric_limits<double>::infinity();
+
+    void again(double seconds) { redraw_in = std::min(redraw_in, seconds); }
 };
 
 }  // namespace pol

@@ -2,25 +2,45 @@
 // The whole window as a function of the session: menus, panels, layout. Needs ImGui only.
 #pragma once
 
+#include <optional>
+
 #include "viewer/frame.h"
+#include "viewer/panels/command_palette.h"
+#include "viewer/panels/log_panel.h"
 #include "viewer/panels/maps_panel.h"
+#include "viewer/panels/open_dialog.h"
 #include "viewer/panels/picture_panel.h"
 #include "viewer/panels/pixel_panel.h"
+#include "viewer/panels/welcome.h"
 #include "viewer/session.h"
 
 namespace pol {
 
-/// Layout: menu on top, status line at the bottom; maps, view and bench on the left; pixel, paths, scene on the right;
-/// the picture between them. Keeps only what belongs to widgets (open tabs, filters), never the user's data.
+/// Layout: menu on top, status line at the bottom; how the picture is shown on the left; what is known about a pixel on
+/// the right, in one stack of tabs, or in two where the window is large; the picture between them. Keeps only what
+/// belongs to widgets (open tabs, filters), never the user's data.
 class Interface {
 public:
     /// Builds one frame between ImGui::NewFrame() and ImGui::Render().
     void draw(Session& session, Frame& frame);
 
 private:
+    /// Stacks of tabs on the right.
+    enum class Stack : std::uint8_t { all, upper, lower };
+
+    void draw_left(Session& session);
+    void draw_tabs(Session& session, Frame& frame, Stack stack);
+    void draw_sheets(Session& session);
+
     MapsPanel maps_;
     PicturePanel picture_;
     PixelPanel pixel_;
+    Welcome welcome_;
+    LogPanel log_;
+    CommandPalette palette_;
+    OpenDialog open_dialog_;
+    std::optional<Theme> theme_;  // that the style was made for, with theme_scale_
+    double theme_scale_ = 0.0;
 };
 
 }  // namespace pol

@@ -18,6 +18,7 @@
 #include "viewer/shown_map.h"
 #include "viewer/view_settings.h"
 #include "viewer/view_transform.h"
+#include "viewer/window_state.h"
 
 namespace pol {
 
@@ -79,8 +80,8 @@ public:
     ShownMap shown_map;  ///< values behind the picture; update() keeps it
     Log log;
     ExportQueue exports;
-    bool panels_visible = true;
-    bool quit_requested = false;
+    WindowState window;
+    DVec2 view_size{1.0, 1.0};  ///< of the picture's viewport, logical points; set by the interface
 
 private:
     void ask_for_explanation();

@@ -4,22 +4,40 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "viewer/commands.h"
+#include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
+namespace {
+
+void draw_entry(Session& session, const Command& command) {
+    const bool checked = command.checked != nullptr && command.checked(session);
+    if (ImGui::MenuItem(std::string(command.title).c_str(), name_of(command.chord).c_str(), checked,
+                        is_enabled(command, session)))
+        command.run(session);
+    name_widget("command " + std::string(command.title));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(command.help).c_str());
+}
+
+}  // namespace
+
 float draw_menu_bar(Session& session) {
     if (!ImGui::BeginMainMenuBar()) return 0.0F;
-    for (const char* group : {"File", "View", "Map"}) {
-        if (!ImGui::BeginMenu(group)) continue;
-        for (const Command& command : commands()) {
-            if (command.group != group) continue;
-            const bool enabled = command.enabled == nullptr || command.enabled(session);
-            if (ImGui::MenuItem(std::string(command.title).c_str(), name_of(command.chord).c_str(), false, enabled))
-                command.run(session);
+    const auto all = commands();
+    for (std::size_t first = 0; first < all.size();) {
+        const std::string_view group = all[first].group;
+        std::size_t end = first;
+        while (end < all.size() && all[end].group == group) ++end;
+        const bool open = ImGui::BeginMenu(std::string(group).c_str());
+        name_widget("menu " + std::string(group));
+        if (open) {
+            for (std::size_t i = first; i < end; ++i) draw_entry(session, all[i]);
+            ImGui::EndMenu();
         }
-        ImGui::EndMenu();
+        first = end;
     }
     const float height = ImGui::GetWindowSize().y;
     ImGui::EndMainMenuBar();

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "viewer/commands.h"
+
+namespace pol {
+namespace {
+
+std::vector<KeyChord> chords_of(const Command& command) {
+    std::vector<KeyChord> chords;
+    for (const KeyChord& chord : {command.chord, command.also})
+        if (chord.key != Key::none) chords.push_back(chord);
+    return chords;
+}
+
+/// Sessions in every state that `enabled` asks about.
+std::vector<std::unique_ptr<Session>> states() {
+    const std::string scene = std::string(POL_ASSETS) + "/scenes/cube-glass.yaml";
+    std::vector<std::unique_ptr<Session>> all;
+    for (const int files : {0, 1, 2})
+        for (const bool pinned : {false, true}) {
+            if (files == 0 && pinned) continue;
+            all.push_back(std::make_unique<Session>());
+            for (int i = 0; i < files; ++i) EXPECT_TRUE(all.back()->open(scene));
+            if (pinned) all.back()->pin({3, 4});
+        }
+    return all;
+}
+
+TEST(Commands, NoChordMeansTwoThingsAtOnce) {
+    for (const auto& session : states()) {
+        std::map<std::string, std::string_view> taken;
+        for (const Command& command : commands()) {
+            if (!is_enabled(command, *session)) continue;
+            for (const KeyChord& chord : chords_of(command)) {
+                const auto [other, is_new] = taken.emplace(name_of(chord), command.title);
+                EXPECT_TRUE(is_new) << name_of(chord) << " is " << other->second << " and " << command.title << " with "
+                                    << session->documents().size() << " documents";
+            }
+        }
+    }
+}
+
+TEST(Commands, EveryCommandSaysWhatItDoes) {
+    std::set<std::string_view> titles;
+    for (const Command& command : commands()) {
+        EXPECT_FALSE(command.title.empty());
+        EXPECT_TRUE(command.help.ends_with('.')) << command.title;
+        EXPECT_TRUE(titles.insert(command.title).second) << command.title << " is there twice";
+        EXPECT_NE(command.run, nullptr) << command.title;
+    }
+}
+
+TEST(Commands, RowsOfAGroupFollowEachOther) {
+    std::set<std::string_view> seen;
+    std::string_view last;
+    for (const Command& command : commands()) {
+        EXPECT_TRUE(command.group == last || seen.insert(command.group).second) << command.group;
+        last = command.group;
+    }
+}
+
+TEST(Commands, KeysThatTheReadmePromisesExist) {
+    std::set<std::string> bound;
+    for (const Command& command : commands())
+        for (const KeyChord& chord : chords_of(command)) bound.insert(name_of(chord));
+    for (const char* promised :
+         {"1",    "9",      "0",   "Shift+3", "E",  "Shift+E", "O",      "G",      "R",
+          "F",    "Ctrl+0", "C",   "F11",     "[",  "]",       "Left",   "Right",  "Up",
+          "Down", "Space",  "Tab", "Esc",     "F1", "?",       "Ctrl+O", "Ctrl+Q", "Ctrl+Shift+P"})
+        EXPECT_TRUE(bound.contains(promised)) << promised;
+}
+
+TEST(Commands, EveryMapHasACommand) {
+    Session session;
+    std::set<Quantity> reached;
+    for (const Command& command : commands()) {
+        if (command.group != "Map" || !is_enabled(command, session) || command.checked == nullptr) continue;
+        command.run(session);
+        EXPECT_TRUE(command.checked(session)) << command.title;
+        reached.insert(session.view.quantity);
+    }
+    EXPECT_EQ(reached.size(), quantity_count);
+}
+
+TEST(Commands, ArrowsStepThroughMapsUntilAPixelIsPinned) {
+    Session session;
+    ASSERT_TRUE(session.open(std::string(POL_ASSETS) + "/scenes/cube-glass.yaml"));
+    EXPECT_TRUE(run_command(session, {Key::right}));
+    EXPECT_EQ(session.view.quantity, Quantity::intensity);
+    session.pin({10, 20});
+    EXPECT_TRUE(run_command(session, {Key::right}));
+    EXPECT_EQ(session.view.quantity, Quantity::intensity);
+    EXPECT_EQ(session.selection.pinned(), (PixelAddress{11, 20}));
+    EXPECT_TRUE(run_command(session, {Key::escape}));
+    EXPECT_FALSE(session.selection.pinned());
+}
+
+TEST(Commands, AHeldKeyTogglesOnce) {
+    Session session;
+    EXPECT_TRUE(run_command(session, {Key::tab}));
+    EXPECT_TRUE(run_command(session, {Key::tab}, true));
+    EXPECT_FALSE(session.window.panels_visible);
+    EXPECT_TRUE(run_command(session, {letter('E')}));
+    EXPECT_TRUE(run_command(session, {letter('E')}, true));
+    EXPECT_EQ(session.view.exposure, 1.0);
+}
+
+TEST(Keys, HaveTheNamesThatAreOnThem) {
+    EXPECT_EQ(name_of({letter('S'), true, true}), "Ctrl+Shift+S");
+    EXPECT_EQ(name_of({Key::slash, false, true}), "?");
+    EXPECT_EQ(name_of({Key::f11}), "F11");
+    EXPECT_EQ(name_of({Key::page_down}), "PgDn");
+    EXPECT_EQ(name_of({Key::down}), "Down");
+    EXPECT_EQ(name_of({}), "");
+}
+
+TEST(Keys, ATextFieldKeepsWhatItEdits) {
+    EXPECT_TRUE(edits_text({letter('E')}));
+    EXPECT_TRUE(edits_text({Key::tab}));
+    EXPECT_TRUE(edits_text({letter('V'), true}));
+    EXPECT_FALSE(edits_text({letter('Q'), true}));
+    EXPECT_FALSE(edits_text({Key::f1}));
+}
+
+}  // namespace
+}  // namespace pol

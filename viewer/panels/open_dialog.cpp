@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/panels/open_dialog.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include "viewer/widgets/theme.h"
+#include "viewer/widgets/widget_map.h"
+
+namespace pol {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "~/" is the home folder, as in a shell.
+fs::path path_of(const std::string& typed) {
+    const char* home = std::getenv("HOME");
+    if (home != nullptr && typed.starts_with("~/")) return fs::path(home) / typed.substr(2);
+    return typed;
+}
+
+bool can_be_opened(const fs::path& file) {
+    constexpr std::array<std::string_view, 4> endings{".yaml", ".yml", ".json", ".exr"};
+    return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
+}
+
+}  // namespace
+
+void OpenDialog::look() {
+    looked_for_ = typed_;
+    refused_.clear();
+    matches_.clear();
+    const fs::path wanted = path_of(typed_);
+    const std::string beginning = wanted.filename().string();
+    const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+    std::error_code failed;
+    for (auto entry = fs::directory_iterator(folder, failed); !failed && entry != fs::directory_iterator();
+         entry.increment(failed)) {
+        const std::string name = entry->path().filename().string();
+        std::error_code unknown;
+        const bool is_folder = entry->is_directory(unknown);
+        const bool hidden = name.starts_with('.') && !beginning.starts_with('.');
+        if (hidden || !name.starts_with(beginning) || !(is_folder || can_be_opened(entry->path()))) continue;
+        matches_.push_back(is_folder ? entry->path() / "" : entry->path());
+    }
+    std::sort(matches_.begin(), matches_.end(), [](const fs::path& a, const fs::path& b) {
+        return a.has_filename() != b.has_filename() ? b.has_filename() : a < b;
+    });
+}
+
+void OpenDialog::draw(Session& session) {
+    bool& visible = session.window.path_entry_visible;
+    constexpr const char* name = "Open a scene or a picture";
+    if (visible && !ImGui::IsPopupOpen(name)) {
+        if (typed_.empty()) {
+            std::error_code failed;
+            typed_ = (fs::current_path(failed) / "").string();
+        }
+        look();
+        ImGui::OpenPopup(name);
+    }
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({0.5F * display.x, 0.15F * display.y}, ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowSize({44.0F * em, 0.0F});
+    if (!ImGui::BeginPopupModal(name, &visible, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
+    log_window();
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-6.0F * em);
+    bool wanted =
+        ImGui::InputTextWithHint("##path", "scene.yaml or picture.exr", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    wanted |= ImGui::Button("Open", {-1.0F, 0.0F});
+    if (typed_ != looked_for_) look();
+
+    ImGui::BeginChild("files", {0.0F, 18.0F * em});
+    for (const fs::path& match : matches_) {
+        const bool is_folder = !match.has_filename();
+        const std::string label = is_folder ? match.parent_path().filename().string() + "/" : match.filename().string();
+        if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) {
+            typed_ = match.string();
+            wanted = !is_folder;
+        }
+    }
+    if (matches_.empty()) ImGui::TextDisabled("No scene (*.yaml, *.json) or picture (*.exr) begins like this.");
+    ImGui::EndChild();
+
+    if (wanted) {
+        refused_.clear();
+        if (session.open(path_of(typed_))) {
+            visible = false;
+            typed_ = (path_of(typed_).parent_path() / "").string();
+        } else {
+            refused_ = session.log.lines().back().text;
+        }
+    }
+    if (!refused_.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextColored(colors(session.window.theme).error, "%s", refused_.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) visible = false;
+    if (!visible) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace pol

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window itself shows besides its panels' contents: sheets, theme, layout, and what it is asked to do next.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace pol {
+
+enum class Theme : std::uint8_t { dark, light };
+
+/// Widths that the user drags, in points at scale 1.
+struct Layout {
+    double left_width = 250.0;
+    double right_width = 400.0;
+    double upper_share = 0.5;  ///< of the right side's height, where it is split
+    friend bool operator==(const Layout&, const Layout&) = default;
+};
+
+enum class Quit : std::uint8_t {
+    no,
+    asked,      ///< the window asks what to do with unsaved edits, if there are any
+    confirmed,  ///< ends now
+};
+
+struct WindowState {
+    bool panels_visible = true;
+    bool help_visible = false;
+    bool log_visible = false;
+    bool palette_visible = false;     ///< commands to type
+    bool path_entry_visible = false;  ///< a file name to type
+    bool full_screen = false;
+    Theme theme = Theme::dark;
+    double ui_scale = 0.0;  ///< of fonts and widgets; 0: what the screen says
+    Layout layout;
+    Quit quit = Quit::no;
+    std::string to_clipboard;  ///< taken by the interface; empty: nothing
+
+    /// A question or an entry is open: keys belong to it.
+    [[nodiscard]] bool modal() const { return palette_visible || path_entry_visible || quit == Quit::asked; }
+};
+
+}  // namespace pol
