@@ -223,7 +223,7 @@ void AppWindow::set_full_screen(bool full) {
 std::string window_title(const Session& session) {
     const Document* document = session.current();
     if (document == nullptr) return "polariscope";
-    std::string title = document->path().filename().string();
+    std::string title = document->name() + (document->dirty() ? " *" : "");
     if (const RenderProgress progress = document->progress(); document->has_scene() && !progress.finished)
         title += " - " + std::to_string(static_cast<int>(100.0 * progress.done)) + " %";
     return title + " - polariscope";

@@ -47,7 +47,7 @@ void draw_status_line(Session& session) {
     if (document == nullptr) {
         ImGui::TextUnformatted("Nothing is open");
     } else {
-        ImGui::TextUnformatted(document->path().filename().c_str());
+        ImGui::Text("%s%s", document->name().c_str(), document->dirty() ? " *" : "");
         separated();
         draw_progress(*document, colors(session.window.theme));
     }
