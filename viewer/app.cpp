@@ -55,6 +55,11 @@ Shown shown(const Session& session) {
     return {document, document == nullptr ? 0 : document->picture_version(), session.log.lines().size()};
 }
 
+bool is_tracing(const Session& session) {
+    const Document* document = session.current();
+    return document != nullptr && document->has_scene() && !document->paused() && !document->progress().finished;
+}
+
 class EventLoop {
 public:
     EventLoop(WindowLibrary& library, AppWindow& window, Session& session, PictureRenderer& picture, AppProbe* probe)
@@ -86,6 +91,7 @@ private:
 
     void note_what_happened() {
         const double now = library_.now();
+        pacer_.set_tracing(is_tracing(session_));
         if (window_.take_input()) {
             pacer_.input(now);
             if (!input_at_) input_at_ = now;

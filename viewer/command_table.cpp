@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <array>
 
+#include "viewer/command_actions.h"
 #include "viewer/commands.h"
 
 namespace pol {
@@ -18,142 +18,29 @@ constexpr KeyChord ctrl_shift(Key key) {
     return {key, true, true};
 }
 
-bool is_open(const Session& session) {
-    return session.current() != nullptr;
-}
-bool has_several(const Session& session) {
-    return session.documents().size() > 1;
-}
-bool is_pinned(const Session& session) {
-    return is_open(session) && session.selection.pinned().has_value();
-}
-bool is_free(const Session& session) {
-    return is_open(session) && !session.selection.pinned();
-}
-bool is_free_of_several(const Session& session) {
-    return has_several(session) && !session.selection.pinned();
-}
-bool is_rendering(const Session& session) {
-    return is_open(session) && session.current()->has_scene();
-}
+using namespace action;
 
-template <Quantity quantity>
-void show_map(Session& session) {
-    session.show(quantity);
-}
-template <Quantity quantity>
-bool shows_map(const Session& session) {
-    return session.view.quantity == quantity;
-}
 template <Quantity quantity>
 constexpr Command map_command(KeyChord chord, std::string_view title, std::string_view help) {
     return {"Map", title, chord, help, show_map<quantity>, nullptr, {}, false, shows_map<quantity>};
-}
-
-template <int by>
-void step_map(Session& session) {
-    constexpr int count = static_cast<int>(quantity_count);
-    session.show(static_cast<Quantity>((static_cast<int>(session.view.quantity) + by + count) % count));
-}
-
-template <int by>
-void step_wavelength(Session& session) {
-    const int count = static_cast<int>(session.current()->picture().wavelengths_nm.size());
-    session.view.wavelength =
-        static_cast<std::size_t>(std::clamp(static_cast<int>(session.view.wavelength) + by, 0, count - 1));
-}
-
-template <MapStyle style>
-void use_style(Session& session) {
-    session.view.style = style;
-}
-template <MapStyle style>
-bool uses_style(const Session& session) {
-    return session.view.style == style;
-}
-
-DVec2 extent(const Session& session) {
-    const StokesImage& picture = session.current()->picture();
-    return {picture.width, picture.height};
-}
-
-void zoom(Session& session, double factor) {
-    session.transform.zoom_at(0.5 * session.view_size, factor);
-}
-
-void one_to_one(Session& session) {
-    session.transform.zoom_at(0.5 * session.view_size, 1.0 / session.transform.scale);
-}
-
-constexpr double stops_per_press = 0.5;
-constexpr double offset_per_press = 0.05;
-constexpr double gamma_per_press = 0.1;
-
-template <int sign>
-void step_exposure(Session& session) {
-    session.view.exposure += sign * stops_per_press;
-}
-template <int sign>
-void step_offset(Session& session) {
-    session.view.offset += sign * offset_per_press;
-}
-template <int sign>
-void step_gamma(Session& session) {
-    session.view.gamma = std::max(gamma_per_press, session.view.gamma + sign * gamma_per_press);
-}
-
-void reset_tone(Session& session) {
-    const ViewSettings fresh;
-    session.view.exposure = fresh.exposure;
-    session.view.offset = fresh.offset;
-    session.view.gamma = fresh.gamma;
-    session.view.range = fresh.range;
-    session.view.scale = fresh.scale;
-}
-
-void step_glyphs(Session& session) {
-    constexpr int count = static_cast<int>(GlyphKind::combined) + 1;
-    session.view.glyphs.kind = static_cast<GlyphKind>((static_cast<int>(session.view.glyphs.kind) + 1) % count);
-}
-
-template <int dx, int dy>
-void nudge(Session& session) {
-    session.nudge(dx, dy);
-}
-
-/// What Esc means: the sheet on top goes first, then the pin.
-void escape(Session& session) {
-    WindowState& window = session.window;
-    if (window.help_visible)
-        window.help_visible = false;
-    else if (window.log_visible)
-        window.log_visible = false;
-    else
-        session.unpin();
-}
-
-template <bool WindowState::*flag>
-void toggle(Session& session) {
-    session.window.*flag = !(session.window.*flag);
-}
-template <bool WindowState::*flag>
-bool is_on(const Session& session) {
-    return session.window.*flag;
-}
-
-template <bool ViewSettings::*flag>
-void toggle_view(Session& session) {
-    session.view.*flag = !(session.view.*flag);
-}
-template <bool ViewSettings::*flag>
-bool view_has(const Session& session) {
-    return session.view.*flag;
 }
 
 constexpr std::array command_table{
     Command{"File", "Open...", ctrl(letter('O')),
             "Opens a scene (*.yaml) or an EXR picture; files can be dropped, too.",
             toggle<&WindowState::path_entry_visible>},
+    Command{"File",
+            "Reload",
+            {Key::f5},
+            "Reads the file again; it is also read when another program saves it.",
+            [](Session& s) { s.reload(); },
+            has_file,
+            ctrl(letter('R'))},
+    Command{"File", "Save scene", ctrl_shift(letter('S')), "Writes the edited scene as YAML.",
+            [](Session& s) { save_scene(s); }, is_rendering},
+    Command{"File", "Close document", ctrl(letter('W')),
+            "Closes the file on screen; asks first if its edits are not saved.",
+            [](Session& s) { s.window.close_asked = true; }, is_open},
     Command{"File",
             "Next document",
             {Key::down},
@@ -172,6 +59,17 @@ constexpr std::array command_table{
             true},
     Command{"File", "Quit", ctrl(letter('Q')), "Ends the program; asks first if an edited scene is not saved.",
             [](Session& s) { s.window.quit = Quit::asked; }},
+
+    Command{"Edit",
+            "Undo",
+            ctrl(letter('Z')),
+            "Takes the last edit of the scene back.",
+            [](Session& s) { s.undo(); },
+            can_undo,
+            {},
+            true},
+    Command{"Edit", "Redo", ctrl_shift(letter('Z')), "Makes the edit again.", [](Session& s) { s.redo(); }, can_redo,
+            ctrl(letter('Y')), true},
 
     map_command<Quantity::color>({letter('1')}, "Color", "The picture as the eye sees it."),
     map_command<Quantity::intensity>({letter('2')}, "Intensity", "S0 at one wavelength."),
@@ -293,6 +191,12 @@ constexpr std::array command_table{
             true},
     Command{"View", "Raise gamma", {letter('G')}, "Lifts the dark parts.", step_gamma<1>, nullptr, {}, true},
     Command{"View", "Lower gamma", shift(letter('G')), "Deepens the dark parts.", step_gamma<-1>, nullptr, {}, true},
+    Command{"View",
+            "Normalize",
+            {letter('N')},
+            "Stretches the scale from the least to the largest value on screen.",
+            normalize,
+            is_open},
     Command{
         "View", "Reset tone", {letter('R')}, "Exposure, offset, gamma, ranges and scales as they were.", reset_tone},
     Command{"View",

@@ -26,6 +26,8 @@ public:
     }
     /// There is something new to show.
     void news() { news_ = true; }
+    /// While nothing is being traced, nobody needs the time that drawing leaves.
+    void set_tracing(bool tracing) { tracing_ = tracing; }
     /// Something on screen moves: draw again after `seconds`.
     void animate(double now, double seconds) { animation_ = now + seconds; }
 
@@ -37,7 +39,7 @@ public:
         if (animation_) at(std::max(*animation_, last_start_ + shortest_frame));
         if (news_) {
             const double share = now - last_input_ < answer_time ? answer_share : idle_share;
-            at(last_start_ + std::max(shortest_frame, cost_ / share));
+            at(last_start_ + (tracing_ ? std::max(shortest_frame, cost_ / share) : shortest_frame));
         }
         if (!due) return std::nullopt;
         return std::max(0.0, *due - now);
@@ -56,6 +58,7 @@ public:
 private:
     int owed_ = frames_per_input;
     bool news_ = false;
+    bool tracing_ = false;
     std::optional<double> animation_;
     double last_input_ = 0.0;
     double last_start_ = -1.0;

@@ -12,6 +12,7 @@
 #include "viewer/panels/help_sheet.h"
 #include "viewer/panels/menu_bar.h"
 #include "viewer/panels/status_line.h"
+#include "viewer/panels/unsaved_dialog.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -120,6 +121,7 @@ void Interface::draw_sheets(Session& session) {
     log_.draw(session);
     palette_.draw(session);
     open_dialog_.draw(session);
+    draw_unsaved_dialog(session);
 }
 
 void Interface::draw(Session& session, Frame& frame) {
@@ -167,7 +169,6 @@ void Interface::draw(Session& session, Frame& frame) {
     if (frame.viewport.size.x > 0.0) session.view_size = frame.viewport.size;
     draw_sheets(session);
     if (!state.to_clipboard.empty()) ImGui::SetClipboardText(std::exchange(state.to_clipboard, {}).c_str());
-    if (state.quit == Quit::asked) state.quit = Quit::confirmed;
 }
 
 }  // namespace pol

@@ -34,10 +34,13 @@ struct WindowState {
     double ui_scale = 0.0;  ///< of fonts and widgets; 0: what the screen says
     Layout layout;
     Quit quit = Quit::no;
+    bool close_asked = false;  ///< of the current document
     std::string to_clipboard;  ///< taken by the interface; empty: nothing
 
     /// A question or an entry is open: keys belong to it.
-    [[nodiscard]] bool modal() const { return palette_visible || path_entry_visible || quit == Quit::asked; }
+    [[nodiscard]] bool modal() const {
+        return palette_visible || path_entry_visible || close_asked || quit == Quit::asked;
+    }
 };
 
 }  // namespace pol

@@ -39,6 +39,7 @@ TEST(FramePacer, DrawsAtMost60FramesASecond) {
 // 17 ms a frame is what platform.md measured with two busy tracers.
 TEST(FramePacer, LeavesTheTracerItsTimeWhileTilesArrive) {
     FramePacer pacer = rested(0.017);
+    pacer.set_tracing(true);
     double now = 10.0;
     double drawn = 0.0;
     while (now < 30.0) {
@@ -54,10 +55,19 @@ TEST(FramePacer, LeavesTheTracerItsTimeWhileTilesArrive) {
 
 TEST(FramePacer, AnswersAnEditWithinATenthOfASecond) {
     FramePacer pacer = rested(0.017);
+    pacer.set_tracing(true);
     pacer.input(10.0);
     for (int i = 0; i < 3; ++i) pacer.drawn(10.0 + 0.017 * i, 10.017 + 0.017 * i);
     pacer.news();
     EXPECT_LT(pacer.wait(10.06).value(), 0.1);
+}
+
+TEST(FramePacer, FinishesAMapAtFullSpeedWhenNothingIsTraced) {
+    FramePacer pacer = rested(0.01);
+    pacer.news();
+    pacer.drawn(10.0, 10.01);
+    pacer.news();
+    EXPECT_LT(pacer.wait(10.01).value(), 1.0 / 60.0);
 }
 
 TEST(FramePacer, WakesForAnAnimation) {
