@@ -17,6 +17,7 @@ namespace pol {
 struct ViewTransform {
     double scale = 1.0;
     DVec2 offset{0.0, 0.0};  ///< view coordinates of the picture's top left corner
+    bool fitted = false;     ///< fit() was the last word: to be fitted again when the view changes its size
 
     static constexpr double min_scale = 1.0 / 64.0;
     static constexpr double max_scale = 256.0;
@@ -29,16 +30,25 @@ struct ViewTransform {
         const DVec2 fixed = picture_from_view(anchor);
         scale = std::clamp(scale * factor, min_scale, max_scale);
         offset = anchor - scale * fixed;
+        fitted = false;
+    }
+
+    /// Moves the picture by `by` (points).
+    void pan(const DVec2& by) {
+        offset += by;
+        fitted = false;
     }
 
     /// The whole picture, centred, as large as `view` allows.
     void fit(const DVec2& picture, const DVec2& view) {
         scale = std::clamp(std::min(view.x / picture.x, view.y / picture.y), min_scale, max_scale);
         center(picture, view);
+        fitted = true;
     }
 
     void center(const DVec2& picture, const DVec2& view) {
         offset = {std::floor(0.5 * (view.x - scale * picture.x)), std::floor(0.5 * (view.y - scale * picture.y))};
+        fitted = false;
     }
 };
 

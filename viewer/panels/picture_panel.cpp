@@ -3,36 +3,126 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "viewer/panels/hover_readout.h"
+#include "viewer/widgets/ink.h"
+
 namespace pol {
+
+namespace {
+
+constexpr double zoom_per_notch = 1.2;
+/// A press that moves less than this is a click.
+constexpr float click_slack = 4.0F;
+constexpr double wheel_radius = 30.0;
+constexpr float strip_padding = 6.0F;
+
+DVec2 extent_of(const Session& session) {
+    const StokesImage& picture = session.current()->picture();
+    return {picture.width, picture.height};
+}
+
+/// Pixels that a rectangle between two points of the picture touches; empty outside the picture.
+std::optional<TileRect> touched(const DVec2& a, const DVec2& b, const DVec2& extent) {
+    const DVec2 low = glm::clamp(glm::floor(glm::min(a, b)), DVec2(0.0), extent);
+    const DVec2 high = glm::clamp(glm::floor(glm::max(a, b)) + 1.0, DVec2(0.0), extent);
+    if (low.x >= high.x || low.y >= high.y) return std::nullopt;
+    return TileRect{static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x),
+                    static_cast<int>(high.y)};
+}
+
+/// The viewport as an item of the interface, with the picture in it.
+void show_viewport(const Frame& frame) {
+    const ImVec2 origin = point(frame.viewport.origin);
+    const ImVec2 size = point(frame.viewport.size);
+    const ImVec2 end(origin.x + size.x, origin.y + size.y);
+    if (frame.picture_texture != 0)
+        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(frame.picture_texture), origin, end,
+                                             {0.0F, 1.0F}, {1.0F, 0.0F});
+    ImGui::InvisibleButton("viewport", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+}
+
+void invite(const ViewRect& viewport) {
+    constexpr const char* text = "Drop a scene or an EXR file here";
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const DVec2 middle = viewport.origin + 0.5 * viewport.size;
+    ImGui::GetWindowDrawList()->AddText(point(middle - 0.5 * DVec2(size.x, size.y)),
+                                        ImGui::GetColorU32(ImGuiCol_TextDisabled), text);
+}
+
+}  // namespace
 
 void PicturePanel::draw(Session& session, Frame& frame) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 size = ImGui::GetContentRegionAvail();
-    frame.viewport = {{origin.x, origin.y}, {size.x, size.y}};
-    if (frame.picture_texture != 0)
-        ImGui::Image(reinterpret_cast<ImTextureID>(frame.picture_texture), size, {0.0F, 1.0F}, {1.0F, 0.0F});
-    else
-        ImGui::Dummy(size);
-    const Document* document = session.current();
-    if (document == nullptr) return;
-    const StokesImage& picture = document->picture();
-    const DVec2 extent(picture.width, picture.height);
-    if (fitted_layout_ != document->picture_layout()) {
-        session.transform.fit(extent, frame.viewport.size);
-        fitted_layout_ = document->picture_layout();
-    }
+    const bool has_strip = session.window.panels_visible && session.current() != nullptr;
+    const float strip = has_strip ? color_bar_height() + hover_readout_height() + 2.0F * strip_padding : 0.0F;
+    frame.viewport = {{origin.x, origin.y}, {std::max(1.0F, size.x), std::max(1.0F, size.y - strip)}};
+    show_viewport(frame);
     session.selection.hovered.reset();
-    if (!ImGui::IsItemHovered()) return;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const DVec2 at(mouse.x - origin.x, mouse.y - origin.y);
-    if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0.0F)
-        session.transform.zoom_at(at, std::pow(1.2, wheel));
-    const DVec2 p = session.transform.picture_from_view(at);
-    if (p.x < 0.0 || p.y < 0.0 || p.x >= extent.x || p.y >= extent.y) return;
-    session.selection.hovered = PixelAddress{static_cast<int>(p.x), static_cast<int>(p.y)};
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) session.pin(*session.selection.hovered);
+    if (session.current() == nullptr) {
+        invite(frame.viewport);
+        return;
+    }
+    place_picture(session, frame.viewport.size);
+    handle_mouse(session, frame.viewport);
+    overlay_.draw(session, frame.viewport);
+    if (session.view.quantity == Quantity::azimuth && session.view.style != MapStyle::paper) {
+        const DVec2 corner = frame.viewport.origin + frame.viewport.size;
+        draw_azimuth_wheel(session, corner - DVec2(wheel_radius + 10.0), wheel_radius);
+    }
+    if (!has_strip) return;
+    ImGui::SetCursorScreenPos({origin.x + strip_padding, origin.y + size.y - strip + strip_padding});
+    ImGui::BeginGroup();
+    color_bar_.draw(session, size.x - 2.0F * strip_padding);
+    ImGui::EndGroup();
+    ImGui::SetCursorScreenPos({origin.x + strip_padding, origin.y + size.y - hover_readout_height() - strip_padding});
+    ImGui::BeginGroup();
+    draw_hover_readout(session);
+    ImGui::EndGroup();
+}
+
+void PicturePanel::place_picture(Session& session, const DVec2& view) {
+    const std::uint64_t layout = session.current()->picture_layout();
+    const bool is_new = fitted_layout_ != layout;
+    const bool has_new_size = session.transform.fitted && fitted_view_ != view;
+    if (is_new || has_new_size) session.transform.fit(extent_of(session), view);
+    fitted_layout_ = layout;
+    fitted_view_ = view;
+}
+
+void PicturePanel::handle_mouse(Session& session, const ViewRect& viewport) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ViewTransform& transform = session.transform;
+    const DVec2 at = DVec2(io.MousePos.x, io.MousePos.y) - viewport.origin;
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F)
+        transform.zoom_at(at, std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)));
+
+    const DVec2 extent = extent_of(session);
+    const DVec2 p = transform.picture_from_view(at);
+    const bool is_inside = p.x >= 0.0 && p.y >= 0.0 && p.x < extent.x && p.y < extent.y;
+    if (ImGui::IsItemHovered() && is_inside)
+        session.selection.hovered = PixelAddress{static_cast<int>(p.x), static_cast<int>(p.y)};
+
+    if (ImGui::IsItemActivated()) {
+        drag_ = Drag::none;
+        drag_from_ = p;
+    }
+    const bool is_left = io.MouseDown[ImGuiMouseButton_Left];
+    const auto button = is_left ? ImGuiMouseButton_Left : ImGuiMouseButton_Middle;
+    if (ImGui::IsItemActive() && drag_ == Drag::none && ImGui::IsMouseDragging(button, click_slack))
+        drag_ = is_left && io.KeyShift ? Drag::region : Drag::pan;
+    // The picture point that was taken hold of stays under the cursor.
+    if (ImGui::IsItemActive() && drag_ == Drag::pan) transform.pan(at - transform.view_from_picture(drag_from_));
+    if (ImGui::IsItemActive() && drag_ == Drag::region) session.selection.region = touched(drag_from_, p, extent);
+    if (ImGui::IsItemDeactivated() && drag_ == Drag::none && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+        if (io.KeyShift)
+            session.selection.region.reset();
+        else if (is_inside)
+            session.pin({static_cast<int>(p.x), static_cast<int>(p.y)});
+    }
 }
 
 }  // namespace pol

@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "viewer/frame.h"
+#include "viewer/panels/picture_overlay.h"
 #include "viewer/session.h"
+#include "viewer/widgets/color_bar.h"
 
 namespace pol {
 
-/// The picture with what is drawn over it, and the mouse in it.
+/// The picture with what is drawn over it, its color bar, the reading under the cursor, and the mouse in it: the wheel
+/// zooms at the cursor, dragging pans, a click pins, Shift and dragging draws a region.
 class PicturePanel {
 public:
     void draw(Session& session, Frame& frame);
 
 private:
+    enum class Drag { none, pan, region };
+    void place_picture(Session& session, const DVec2& view);
+    void handle_mouse(Session& session, const ViewRect& viewport);
+
     std::uint64_t fitted_layout_ = 0;
+    DVec2 fitted_view_{0.0, 0.0};
+    Drag drag_ = Drag::none;
+    DVec2 drag_from_{0.0, 0.0};  // picture coordinates
+    PictureOverlay overlay_;
+    ColorBar color_bar_;
 };
 
 }  // namespace pol

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mouse in the picture, and what stands under it.
+#include <gtest/gtest.h>
+
+#include "known_picture.h"
+#include "maps/evaluate.h"
+#include "viewer/map_look.h"
+#include "viewer/panels/hover_readout.h"
+#include "viewer/reading_text.h"
+#include "viewer/widgets/color_bar.h"
+#include "window_without_gl.h"
+
+namespace pol {
+namespace {
+
+class PicturePanelTest : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_NO_FATAL_FAILURE(open_picture(window.session, known_picture()));
+        window.draw();
+    }
+    WindowWithoutGl window;
+};
+
+TEST_F(PicturePanelTest, OpensFittedAndCentered) {
+    const DVec2 view = window.frame.viewport.size;
+    const double scale = window.session.transform.scale;
+    EXPECT_NEAR(scale, std::min(view.x / 16.0, view.y / 12.0), 1e-9);
+    EXPECT_NEAR(window.session.transform.view_from_picture({8.0, 6.0}).x, 0.5 * view.x, 1.0);
+    EXPECT_GT(view.x, 550.0);
+    EXPECT_GT(view.y, 550.0);
+}
+
+TEST_F(PicturePanelTest, AClickPinsThePixelUnderTheCursor) {
+    window.click(window.place_of({3, 7}));
+    ASSERT_TRUE(window.session.selection.pinned());
+    EXPECT_EQ(*window.session.selection.pinned(), (PixelAddress{3, 7}));
+}
+
+TEST_F(PicturePanelTest, ADragPansAndDoesNotPin) {
+    const DVec2 from = window.place_of({3, 7});
+    const DVec2 before = window.session.transform.offset;
+    window.drag(from, from + DVec2(40.0, -25.0));
+    EXPECT_FALSE(window.session.selection.pinned());
+    EXPECT_NEAR(window.session.transform.offset.x - before.x, 40.0, 1e-6);
+    EXPECT_NEAR(window.session.transform.offset.y - before.y, -25.0, 1e-6);
+    window.move(from + DVec2(40.0, -25.0));
+    EXPECT_EQ(window.session.selection.hovered, (PixelAddress{3, 7})) << "the pixel went with the cursor";
+}
+
+TEST_F(PicturePanelTest, TheWheelZoomsAtTheCursor) {
+    const DVec2 at = glm::floor(window.place_of({3, 7}));
+    window.move(at);
+    const ViewTransform before = window.session.transform;
+    window.turn_wheel(2.0F);
+    const ViewTransform& after = window.session.transform;
+    EXPECT_NEAR(after.scale / before.scale, 1.44, 1e-6);
+    const DVec2 cursor = at - window.frame.viewport.origin;
+    EXPECT_NEAR(after.picture_from_view(cursor).x, before.picture_from_view(cursor).x, 1e-9);
+    EXPECT_NEAR(after.picture_from_view(cursor).y, before.picture_from_view(cursor).y, 1e-9);
+}
+
+TEST_F(PicturePanelTest, ShiftAndDragDrawsARegion) {
+    ImGui::GetIO().KeyShift = true;
+    const DVec2 before = window.session.transform.offset;
+    window.drag(window.place_of({6, 8}), window.place_of({2, 3}));
+    const auto& region = window.session.selection.region;
+    ASSERT_TRUE(region);
+    EXPECT_EQ(region->x0, 2);
+    EXPECT_EQ(region->y0, 3);
+    EXPECT_EQ(region->x1, 7);
+    EXPECT_EQ(region->y1, 9);
+    EXPECT_EQ(window.session.transform.offset, before);
+    window.click(window.place_of({1, 1}));
+    EXPECT_FALSE(region) << "Shift and click takes it away";
+    EXPECT_FALSE(window.session.selection.pinned());
+}
+
+TEST_F(PicturePanelTest, HoverSaysWhatEvaluateSays) {
+    const StokesImage& picture = window.session.current()->picture();
+    for (const QuantityInfo& about : quantities()) {
+        if (about.quantity == Quantity::color) continue;
+        window.session.show(about.quantity);
+        for (const PixelAddress at : {PixelAddress{3, 7}, PixelAddress{9, 0}, PixelAddress{15, 11}}) {
+            window.move(window.place_of(at));
+            EXPECT_EQ(window.session.selection.hovered, at);
+            const std::string text = window.text_of([&] { draw_hover_readout(window.session); });
+            const auto map = evaluate(picture, about.quantity, 0);
+            const MapPixel& value = map.value().pixels[picture.pixel(at.x, at.y)];
+            const std::string number = value.state == PixelState::defined ? short_number(value.value, 6)
+                                                                          : std::string(state_text(value.state));
+            EXPECT_NE(text.find(std::string(about.title) + " " + number), std::string::npos) << number << "\n" << text;
+            EXPECT_NE(text.find("x " + std::to_string(at.x) + "  y " + std::to_string(at.y)), std::string::npos);
+            EXPECT_NE(text.find("S3 " + short_number(picture.at(0, picture.pixel(at.x, at.y)).s3, 5)),
+                      std::string::npos);
+        }
+    }
+}
+
+TEST_F(PicturePanelTest, TheLegendCountsPixelsWithoutAValue) {
+    window.session.show(Quantity::azimuth);
+    window.session.shown_map.finish(*window.session.current(), window.session.view, window.session.bench);
+    ColorBar bar;
+    const std::string text = window.text_of([&] { bar.draw(window.session, 300.0F); });
+    EXPECT_NE(text.find("undefined 8.3 %"), std::string::npos) << "the top row of 12 is unpolarized\n" << text;
+    EXPECT_NE(text.find("Azimuth, 500 nm"), std::string::npos) << text;
+}
+
+TEST_F(PicturePanelTest, TheEndsOfTheColorBarCanBeDraggedAndGivenBack) {
+    window.session.show(Quantity::dop);
+    window.draw();
+    const double bar_width = window.frame.viewport.size.x - 12.0;
+    const double y = window.frame.viewport.origin.y + window.frame.viewport.size.y + 6.0 +
+                     ImGui::GetTextLineHeightWithSpacing() + 6.0;
+    const double left = window.frame.viewport.origin.x + 6.0;
+    window.drag({left + 0.95 * bar_width, y}, {left + 0.7 * bar_width, y});
+    EXPECT_NEAR(map_look(window.session).range.high, 0.75, 0.01);
+    EXPECT_EQ(map_look(window.session).range.low, 0.0);
+    window.move({left + 0.5 * bar_width, y});
+    for (int i = 0; i < 2; ++i) {
+        ImGui::GetIO().MouseDown[0] = true;
+        window.draw(1);
+        ImGui::GetIO().MouseDown[0] = false;
+        window.draw(1);
+    }
+    EXPECT_EQ(map_look(window.session).range.high, 1.0);
+}
+
+TEST_F(PicturePanelTest, FollowsTheWindowWhileFitted) {
+    ImGui::GetIO().DisplaySize = {1000.0F, 600.0F};
+    window.draw();
+    const DVec2 view = window.frame.viewport.size;
+    EXPECT_NEAR(window.session.transform.scale, std::min(view.x / 16.0, view.y / 12.0), 1e-9);
+    window.move(window.place_of({3, 7}));
+    window.turn_wheel(1.0F);
+    const double zoomed = window.session.transform.scale;
+    ImGui::GetIO().DisplaySize = {1280.0F, 800.0F};
+    window.draw();
+    EXPECT_EQ(window.session.transform.scale, zoomed) << "the user's zoom stays";
+}
+
+TEST(MapLook, TheBarOfThePhotographIsMovedByExposureAndOffset) {
+    Session session;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+    session.show(Quantity::intensity);
+    set_bar_range(session, {0.1, 0.6});
+    EXPECT_NEAR(session.view.exposure, 1.0, 1e-12);
+    EXPECT_NEAR(session.view.offset, -0.2, 1e-12);
+    EXPECT_NEAR(bar_range(session).low, 0.1, 1e-12);
+    EXPECT_NEAR(bar_range(session).high, 0.6, 1e-12);
+    session.shown_map.finish(*session.current(), session.view, session.bench);
+    fit_bar_range(session);
+    EXPECT_NEAR(bar_range(session).high - bar_range(session).low, 0.5, 1e-12) << "a flat picture keeps its range";
+    set_bar_range(session, {0.6, 0.1});
+    EXPECT_NEAR(bar_range(session).low, 0.1, 1e-12) << "a range the wrong way round is refused";
+}
+
+}  // namespace
+}  // namespace pol

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/panels/picture_overlay.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "maps/color_picture.h"
+#include "spectrum/illuminant.h"
+#include "viewer/reading_text.h"
+#include "viewer/shown_picture.h"
+#include "viewer/widgets/ink.h"
+
+namespace pol {
+
+namespace {
+
+/// Smallest cell of the veil: finer than this nobody sees, and a noisy selection would cost a frame.
+constexpr double least_veil_cell = 2.0;
+constexpr ImU32 veil_color = IM_COL32(0, 0, 0, 170);
+
+struct PixelRange {
+    int x0, y0, x1, y1;
+};
+
+/// Pixels that can be seen.
+PixelRange visible_pixels(const Session& session, const DVec2& view) {
+    const StokesImage& picture = session.current()->picture();
+    const DVec2 low = session.transform.picture_from_view({0.0, 0.0});
+    const DVec2 high = session.transform.picture_from_view(view);
+    const auto inside = [](double value, int size) {
+        return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
+    };
+    return {inside(std::floor(low.x), picture.width), inside(std::floor(low.y), picture.height),
+            inside(std::ceil(high.x), picture.width), inside(std::ceil(high.y), picture.height)};
+}
+
+/// What stands inside a pixel: a line per number.
+class PixelLabels {
+public:
+    explicit PixelLabels(const Session& session)
+        : shown_(session.current()->picture(), session.bench),
+          quantity_(session.view.quantity),
+          wavelength_(session.view.wavelength) {
+        const auto& wavelengths = shown_.picture().wavelengths_nm;
+        if (quantity_ == Quantity::color) weights_ = color_weights(wavelengths);
+        if (const auto d65 = d65_at(wavelengths[wavelength_])) d65_ = d65.value();
+    }
+
+    [[nodiscard]] std::string text(std::size_t pixel) const {
+        if (quantity_ == Quantity::color) {
+            Rgb color{};
+            for (std::size_t w = 0; w < weights_.size(); ++w) {
+                for (std::size_t c = 0; c < 3; ++c) color[c] += weights_[w][c] * shown_.stokes(w, pixel).s0;
+            }
+            return fmt::format("{}\n{}\n{}", short_number(color[0], 3), short_number(color[1], 3),
+                               short_number(color[2], 3));
+        }
+        if (quantity_ == Quantity::intensity && !d65_) return std::string(state_text(PixelState::undefined));
+        const MapPixel value = evaluate_light(shown_.light(wavelength_, pixel), quantity_, d65_.value_or(1.0));
+        if (value.state == PixelState::defined) return short_number(value.value, 3);
+        return value.state == PixelState::not_a_number ? "NaN" : value.state == PixelState::undetermined ? "?" : "-";
+    }
+
+private:
+    ShownPicture shown_;
+    Quantity quantity_;
+    std::size_t wavelength_;
+    std::vector<Rgb> weights_;
+    std::optional<double> d65_;
+};
+
+void draw_numbers(const Session& session, const ViewRect& viewport, ImDrawList& list) {
+    const bool is_color = session.view.quantity == Quantity::color;
+    const ImVec2 widest = ImGui::CalcTextSize(is_color ? "0.0123\n0.0123\n0.0123" : "-0.00123");
+    const double needed = std::max(widest.x, widest.y) + 4.0F;
+    if (!session.view.numbers_in_pixels || session.transform.scale < needed) return;
+    const PixelLabels labels(session);
+    const StokesImage& picture = session.current()->picture();
+    const PixelRange seen = visible_pixels(session, viewport.size);
+    for (int y = seen.y0; y < seen.y1; ++y) {
+        for (int x = seen.x0; x < seen.x1; ++x) {
+            const std::string text = labels.text(picture.pixel(x, y));
+            const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+            const DVec2 middle = viewport.origin + session.transform.view_from_picture({x + 0.5, y + 0.5});
+            rimmed_text(list, point(glm::round(middle - 0.5 * DVec2(size.x, size.y))), white_ink, text);
+        }
+    }
+}
+
+void draw_region(const Session& session, const ViewRect& viewport, ImDrawList& list) {
+    const auto& region = session.selection.region;
+    if (!region) return;
+    const auto at = [&](int x, int y) {
+        return point(viewport.origin +
+                     session.transform.view_from_picture({static_cast<double>(x), static_cast<double>(y)}));
+    };
+    const ImVec2 a = at(region->x0, region->y0);
+    const ImVec2 b = at(region->x1, region->y1);
+    list.AddRect(a, b, rim_color, 0.0F, 0, 3.0F);
+    list.AddRect(a, b, white_ink, 0.0F, 0, 1.0F);
+}
+
+/// Axes of the frame that the Stokes vector of the pixel is written in: x to the right, y up (CONVENTIONS.md).
+void draw_frame(const DVec2& center, double clear, ImDrawList& list) {
+    constexpr double length = 26.0;
+    const DVec2 x_tip = center + DVec2(clear + length, 0.0);
+    const DVec2 y_tip = center - DVec2(0.0, clear + length);
+    rimmed_arrow(list, point(center + DVec2(clear, 0.0)), point(x_tip), IM_COL32(255, 110, 90, 255));
+    rimmed_arrow(list, point(center - DVec2(0.0, clear)), point(y_tip), IM_COL32(120, 220, 120, 255));
+    rimmed_text(list, point(x_tip + DVec2(4.0, -7.0)), white_ink, "x");
+    rimmed_text(list, point(y_tip + DVec2(-3.0, -16.0)), white_ink, "y");
+}
+
+void draw_pins(const Session& session, const ViewRect& viewport, ImDrawList& list) {
+    const Selection& selection = session.selection;
+    const double half = std::max(4.0, 0.5 * session.transform.scale);
+    for (std::size_t i = 0; i < selection.pins.size(); ++i) {
+        const bool is_current = static_cast<int>(i) == selection.current;
+        const PixelAddress& pin = selection.pins[i];
+        const DVec2 center = viewport.origin + session.transform.view_from_picture({pin.x + 0.5, pin.y + 0.5});
+        const ImU32 color = is_current ? pin_ink : white_ink;
+        const DVec2 corner(half, half);
+        list.AddRect(point(center - corner), point(center + corner), rim_color, 0.0F, 0, 3.5F);
+        list.AddRect(point(center - corner), point(center + corner), color, 0.0F, 0, 1.5F);
+        if (selection.pins.size() > 1)
+            rimmed_text(list, point(center + DVec2(half + 2.0, half - 4.0)), color, std::to_string(i + 1));
+        if (is_current) draw_frame(center, half + 1.0, list);
+    }
+}
+
+bool same(const ViewTransform& a, const ViewTransform& b) {
+    return a.scale == b.scale && a.offset == b.offset;
+}
+
+}  // namespace
+
+void PictureOverlay::draw(const Session& session, const ViewRect& viewport) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(point(viewport.origin), point(viewport.origin + viewport.size), true);
+    draw_veil(session, viewport);
+    draw_numbers(session, viewport, list);
+    draw_region(session, viewport, list);
+    draw_pins(session, viewport, list);
+    list.PopClipRect();
+}
+
+void PictureOverlay::draw_veil(const Session& session, const ViewRect& viewport) {
+    const StokesImage& picture = session.current()->picture();
+    const std::vector<bool>& marked = session.selection.marked;
+    if (marked.size() != picture.pixel_count()) return;
+    const ViewTransform& transform = session.transform;
+    const bool is_current = veil_marks_ == session.selection.marked_version && same(veil_transform_, transform) &&
+                            veil_view_ == viewport.size;
+    if (!is_current) {
+        veil_.clear();
+        veil_marks_ = session.selection.marked_version;
+        veil_transform_ = transform;
+        veil_view_ = viewport.size;
+        // A cell is a whole number of pixels; it counts as marked if one of them is, so that no marked pixel is lost.
+        const int step = std::max(1, static_cast<int>(std::ceil(least_veil_cell / transform.scale)));
+        veil_cell_ = static_cast<float>(step * transform.scale);
+        const PixelRange seen = visible_pixels(session, viewport.size);
+        const auto is_marked = [&](int x0, int y0) {
+            for (int y = y0; y < std::min(y0 + step, picture.height); ++y) {
+                for (int x = x0; x < std::min(x0 + step, picture.width); ++x) {
+                    if (marked[picture.pixel(x, y)]) return true;
+                }
+            }
+            return false;
+        };
+        for (int y = seen.y0 / step * step; y < seen.y1; y += step) {
+            int begin = -1;
+            for (int x = seen.x0 / step * step; x < seen.x1 + step; x += step) {
+                const bool is_veiled = x < seen.x1 && !is_marked(x, y);
+                if (is_veiled && begin < 0) begin = x;
+                if (is_veiled || begin < 0) continue;
+                const DVec2 from = transform.view_from_picture({static_cast<double>(begin), static_cast<double>(y)});
+                const DVec2 to = transform.view_from_picture({static_cast<double>(std::min(x, picture.width)), 0.0});
+                veil_.push_back({static_cast<float>(from.x), static_cast<float>(to.x), static_cast<float>(from.y)});
+                begin = -1;
+            }
+        }
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 origin = point(viewport.origin);
+    for (const VeilRun& run : veil_)
+        list.AddRectFilled({origin.x + run.x0, origin.y + run.y}, {origin.x + run.x1, origin.y + run.y + veil_cell_},
+                           veil_color);
+}
+
+}  // namespace pol

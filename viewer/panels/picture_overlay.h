@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "viewer/frame.h"
+#include "viewer/session.h"
+#include "viewer/view_transform.h"
+
+namespace pol {
+
+/// What is drawn over the picture: a veil over pixels that are not marked, numbers in pixels, the region, pins, and the
+/// frame of the pinned pixel.
+class PictureOverlay {
+public:
+    /// Requires: a document is shown.
+    void draw(const Session& session, const ViewRect& viewport);
+
+private:
+    /// Points from `x0` to `x1` of one row of cells, in view coordinates.
+    struct VeilRun {
+        float x0;
+        float x1;
+        float y;
+    };
+    void draw_veil(const Session& session, const ViewRect& viewport);
+
+    std::vector<VeilRun> veil_;  // of the marks, transform and viewport below
+    float veil_cell_ = 1.0F;
+    std::uint64_t veil_marks_ = 0;
+    ViewTransform veil_transform_;
+    DVec2 veil_view_{0.0, 0.0};
+};
+
+}  // namespace pol
