@@ -126,7 +126,7 @@ std::shared_ptr<const StokesImage> Document::lend_picture() const {
 }
 
 RenderProgress Document::progress() const {
-    return renderer_ ? renderer_->progress() : RenderProgress{1.0, true, {}};
+    return renderer_ ? renderer_->progress() : RenderProgress{.done = 1.0, .finished = true};
 }
 
 void Document::set_paused(bool paused) {

@@ -2,94 +2,123 @@
 #include "film/film.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "core/contract.h"
 
 namespace pol {
 
-void Film::reset(const FilmLayout& layout, Generation generation) {
-    POL_EXPECTS(layout.width > 0 && layout.height > 0);
-    const std::scoped_lock lock(mutex_);
-    generation_ = generation;
-    layout_ = layout;
-    const auto pixels = static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height);
-    stokes_.assign(pixels * layout.group_of_wavelength.size(), {});
-    residual_.assign(pixels * static_cast<std::size_t>(layout.group_count), 0.0);
-    samples_.assign(pixels, 0);
-    tail_ = {};
-    failures_ = {};
-}
+Film::Film() : sums_(std::make_shared<FilmSums>()) {}
 
-namespace {
-
-bool any_nonzero(const auto& values) {
-    return std::any_of(values.begin(), values.end(), [](auto v) { return v != 0; });
-}
-
-}  // namespace
-
-bool Film::merge(const TileBuffer& tile) {
-    const bool has_tail = any_nonzero(tile.tail);
-    const bool has_failures = any_nonzero(tile.failures);
-    const std::scoped_lock lock(mutex_);
-    if (tile.generation != generation_) return false;
-    if (has_tail && tail_.empty()) tail_.assign(residual_.size(), 0.0);
-    if (has_failures && failures_.empty()) failures_.assign(samples_.size(), 0);
-
-    const std::size_t wavelengths = layout_.group_of_wavelength.size();
-    const auto groups = static_cast<std::size_t>(layout_.group_count);
-    std::size_t source = 0;
-    for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
-        for (int x = tile.rect.x0; x < tile.rect.x1; ++x, ++source) {
-            const auto pixel =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(layout_.width) + static_cast<std::size_t>(x);
-            for (std::size_t w = 0; w < wavelengths; ++w)
-                stokes_[pixel * wavelengths + w] += tile.stokes[source * wavelengths + w];
-            for (std::size_t g = 0; g < groups; ++g)
-                residual_[pixel * groups + g] += tile.residual[source * groups + g];
-            if (has_tail)
-                for (std::size_t g = 0; g < groups; ++g) tail_[pixel * groups + g] += tile.tail[source * groups + g];
-            if (has_failures) failures_[pixel] += tile.failures[source];
-            samples_[pixel] += tile.samples;
-        }
+void Film::reset(FilmLayout layout, Generation generation) {
+    POL_EXPECTS(layout.width > 0 && layout.height > 0 && layout.tile_size > 0);
+    auto fresh = std::make_shared<FilmSums>();
+    for (const TileRect& rect : cut_tiles(layout.width, layout.height, layout.tile_size)) {
+        fresh->tiles.emplace_back();
+        fresh->tiles.back().rect = rect;
     }
+    fresh->layout = std::move(layout);
+    fresh->generation = generation;
+    const std::scoped_lock lock(mutex_);
+    ++newest_;
+    sums_.swap(fresh);  // what is replaced is freed outside the lock
+}
+
+bool Film::merge(const TileBuffer& pass) {
+    const std::scoped_lock lock(mutex_);
+    if (pass.generation != sums_->generation) return false;
+    const std::size_t index = sums_->tile_at(pass.rect.x0, pass.rect.y0);
+    POL_EXPECTS(index == sums_->tile_at(pass.rect.x1 - 1, pass.rect.y1 - 1));
+    TileSums& tile = sums_->tiles[index];
+    sums_->add(tile, pass);
+    tile.version = ++newest_;
     return true;
 }
 
-StokesImage Film::snapshot() const {
+bool Film::show(const PreviewStrip& strip) {
     const std::scoped_lock lock(mutex_);
-    StokesImage image;
-    image.width = layout_.width;
-    image.height = layout_.height;
-    image.samples = samples_;
-    image.failures = failures_;
-    const std::size_t pixels = image.pixel_count();
-    const std::size_t wavelengths = layout_.group_of_wavelength.size();
-    const auto groups = static_cast<std::size_t>(layout_.group_count);
-    image.stokes.resize(pixels * wavelengths);
-    // Planes of a single group are shared by all wavelengths.
-    const std::size_t planes = groups == 1 ? 1 : wavelengths;
-    image.residual.resize(pixels * planes);
-    if (!tail_.empty()) image.tail.resize(pixels * planes);
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-        // A pixel without samples is black and wholly untraced.
-        const double share = samples_[pixel] > 0 ? 1.0 / samples_[pixel] : 0.0;
-        for (std::size_t w = 0; w < wavelengths; ++w)
-            image.stokes[w * pixels + pixel] = share * stokes_[pixel * wavelengths + w];
-        for (std::size_t p = 0; p < planes; ++p) {
-            const auto g = groups == 1 ? 0U : static_cast<std::size_t>(layout_.group_of_wavelength[p]);
-            image.residual[p * pixels + pixel] = samples_[pixel] > 0 ? share * residual_[pixel * groups + g] : 1.0;
-            if (!tail_.empty()) image.tail[p * pixels + pixel] = share * tail_[pixel * groups + g];
-        }
+    if (strip.generation != sums_->generation) return false;
+    sums_->show(strip, ++newest_);
+    return true;
+}
+
+Generation Film::generation() const {
+    const std::scoped_lock lock(mutex_);
+    return sums_->generation;
+}
+
+Version Film::version() const {
+    const std::scoped_lock lock(mutex_);
+    return newest_;
+}
+
+int Film::tile_count() const {
+    const std::scoped_lock lock(mutex_);
+    return static_cast<int>(sums_->tiles.size());
+}
+
+std::optional<TileSnapshot> Film::tile_if_newer(int index, Version& seen) const {
+    const std::scoped_lock lock(mutex_);
+    if (index < 0 || index >= static_cast<int>(sums_->tiles.size())) return std::nullopt;
+    const TileSums& tile = sums_->tiles[static_cast<std::size_t>(index)];
+    if (tile.version <= seen) return std::nullopt;
+    seen = tile.version;
+    return sums_->look(tile, tile.rect);
+}
+
+std::optional<TileSnapshot> Film::pixel(int x, int y) const {
+    const std::scoped_lock lock(mutex_);
+    if (x < 0 || y < 0 || x >= sums_->layout.width || y >= sums_->layout.height) return std::nullopt;
+    return sums_->look(sums_->tiles[sums_->tile_at(x, y)], {x, y, x + 1, y + 1});
+}
+
+StokesImage Film::snapshot() const {
+    std::unique_lock lock(mutex_);
+    const std::shared_ptr<const FilmSums> sums = sums_;
+    const FilmPlanes planes = sums->planes_present();
+    lock.unlock();
+    POL_EXPECTS(sums->layout.width > 0);
+    StokesImage image = sums->empty_image(sums->layout.width, sums->layout.height, planes);
+    for (const TileSums& tile : sums->tiles) {
+        lock.lock();
+        if (!tile.samples.empty()) sums->copy(tile, tile.rect, image, tile.rect.x0, tile.rect.y0);
+        lock.unlock();
     }
     return image;
+}
+
+FilmStatus Film::status() const {
+    const std::scoped_lock lock(mutex_);
+    FilmStatus status;
+    status.generation = sums_->generation;
+    if (sums_->tiles.empty()) return status;
+    ErrorSums error;
+    status.fewest_samples = std::numeric_limits<std::uint32_t>::max();
+    double samples = 0.0;
+    double pixels = 0.0;
+    for (const TileSums& tile : sums_->tiles) {
+        error += tile.error;
+        status.fewest_samples = std::min(status.fewest_samples, tile.fewest_samples);
+        samples += tile.sample_count;
+        pixels += static_cast<double>(tile.rect.pixel_count());
+    }
+    status.mean_samples = samples / pixels;
+    status.error = picture_error(error, sums_->layout.random_samples);
+    return status;
 }
 
 double Film::bytes_per_pixel() const {
     const std::scoped_lock lock(mutex_);
     const auto bytes = [](const auto& v) { return static_cast<double>(v.capacity() * sizeof(v[0])); };
-    return (bytes(stokes_) + bytes(residual_) + bytes(tail_) + bytes(samples_) + bytes(failures_)) /
-           static_cast<double>(samples_.size());
+    double sum = bytes(sums_->preview_stokes) + bytes(sums_->preview_residual) + bytes(sums_->preview_tail);
+    double pixels = 0.0;
+    for (const TileSums& tile : sums_->tiles) {
+        sum += sizeof(TileSums) + bytes(tile.stokes) + bytes(tile.odd_minus_even) + bytes(tile.residual) +
+               bytes(tile.tail) + bytes(tile.samples) + bytes(tile.failures);
+        pixels += static_cast<double>(tile.rect.pixel_count());
+    }
+    return sum / pixels;
 }
 
 }  // namespace pol

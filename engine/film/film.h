@@ -3,77 +3,74 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
-#include <vector>
+#include <optional>
 
+#include "film/film_sums.h"
+#include "film/picture_error.h"
 #include "film/stokes_image.h"
-#include "polarization/stokes.h"
+#include "film/tile.h"
 
 namespace pol {
 
-/// Number of a render job; what older jobs still deliver is refused.
-using Generation = std::uint64_t;
-
-struct FilmLayout {
-    int width = 0;
-    int height = 0;
-    /// Wavelength group that each wavelength belongs to; residual and tail are kept per group.
-    std::vector<int> group_of_wavelength;
-    int group_count = 1;
-};
-
-/// Pixels x0 <= x < x1, y0 <= y < y1.
-struct TileRect {
-    int x0 = 0;
-    int y0 = 0;
-    int x1 = 0;
-    int y1 = 0;
-    [[nodiscard]] int width() const { return x1 - x0; }
-    [[nodiscard]] std::size_t pixel_count() const {
-        return static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0);
-    }
-};
-
-/// One finished pass over a tile, owned by one worker. Index: pixel in the tile (row by row) * count + wavelength or
-/// group.
-struct TileBuffer {
+/// How far a film is, and how good what it holds.
+struct FilmStatus {
     Generation generation = 0;
-    TileRect rect{};
-    std::uint32_t samples = 0;  ///< that every pixel of the tile got in this pass
-    std::vector<Stokes<double>> stokes;
-    std::vector<double> residual;
-    std::vector<double> tail;
-    std::vector<std::uint32_t> failures;
+    std::uint32_t fewest_samples = 0;  ///< of a pixel
+    double mean_samples = 0.0;         ///< per pixel
+    PictureError error{};
 };
 
 /// Sums over samples in the camera frame.
 ///
 /// The sum of a pixel is formed pass by pass, in the order in which merge() is called for its tile: callers deliver the
 /// passes of a tile in order, and the picture does not depend on threads or tile sizes.
-/// Thread safety: any member from any thread.
+/// Thread safety: any member from any thread. No member holds the lock for longer than it takes to add or copy one
+/// tile; a snapshot() of a large picture hinders nobody, and goes on undisturbed if the film is reset meanwhile.
 class Film {
 public:
+    Film();
+
     /// Empties the film for a new job.
-    void reset(const FilmLayout& layout, Generation generation);
+    void reset(FilmLayout layout, Generation generation);
 
-    /// Adds one finished pass of a tile. Returns false, and drops it, if it belongs to an older generation.
-    bool merge(const TileBuffer& tile);
+    /// Adds one finished pass over a tile or a part of it. Returns false, and drops it, if it belongs to another
+    /// generation. Requires: the rectangle lies in one tile.
+    bool merge(const TileBuffer& pass);
 
-    /// Means of what is there now; wavelengths, brightest and attributes are left to the caller.
+    /// Shows a strip of the preview in the tiles that have no samples. It never enters the sums. Returns false, and
+    /// drops it, if it belongs to another generation.
+    bool show(const PreviewStrip& strip);
+
+    /// Number of the job that the film belongs to.
+    [[nodiscard]] Generation generation() const;
+
+    /// Grows with every change of any tile, also over generations: while it stays, there is nothing to fetch.
+    [[nodiscard]] Version version() const;
+
+    [[nodiscard]] int tile_count() const;
+
+    /// Copies tile `index` if it changed after `seen` (0: never seen), and moves `seen` up to it. Empty also if the
+    /// tile has nothing to show yet, or if there is no such tile (any more).
+    [[nodiscard]] std::optional<TileSnapshot> tile_if_newer(int index, Version& seen) const;
+
+    /// All that is known of one pixel, as a picture of 1 x 1 pixels; the preview where there is no sample yet. Empty if
+    /// the film has no such pixel.
+    [[nodiscard]] std::optional<TileSnapshot> pixel(int x, int y) const;
+
+    /// Means of what is there now; without preview.
     [[nodiscard]] StokesImage snapshot() const;
+
+    [[nodiscard]] FilmStatus status() const;
 
     /// Bytes held per pixel.
     [[nodiscard]] double bytes_per_pixel() const;
 
 private:
-    mutable std::mutex mutex_;  // guards all members below
-    Generation generation_ = 0;
-    FilmLayout layout_{};
-    std::vector<Stokes<double>> stokes_;
-    std::vector<double> residual_;
-    std::vector<double> tail_;  // empty until a tail is delivered
-    std::vector<std::uint32_t> samples_;
-    std::vector<std::uint32_t> failures_;  // empty until a failure is delivered
+    mutable std::mutex mutex_;  // guards the members below and what they point to
+    Version newest_ = 0;
+    std::shared_ptr<FilmSums> sums_;  // never changed again once it is replaced
 };
 
 }  // namespace pol

@@ -29,6 +29,10 @@ struct StokesImage {
     std::vector<double> residual;
     /// Share that was estimated by one random path instead; the estimate and the truth both lie in 0..tail * brightest.
     std::vector<double> tail;
+    /// Standard error (68 %) of each Stokes component by the finite number of samples, indexed as `stokes`; estimated
+    /// from two halves of the samples, so that a single value is a rough guide and only means over many pixels are
+    /// accurate (ErrorSums). Infinite where a pixel has fewer than two samples; empty in pictures of one ray per pixel.
+    std::vector<Stokes<double>> sampling_error;
     /// Samples that each pixel has, one plane; samples whose arithmetic failed, one plane.
     std::vector<std::uint32_t> samples;
     std::vector<std::uint32_t> failures;

@@ -30,6 +30,8 @@ public:
         const std::size_t groups = plan_.groups.size();
         buffer.samples = last - first;
         buffer.stokes.assign(pixels * wavelengths, {});
+        const bool halved = plan_.settings.mode == SampleMode::area && plan_.settings.samples_per_pixel > 1;
+        buffer.odd_minus_even.assign(halved ? pixels * wavelengths : 0, {});
         buffer.residual.assign(pixels * groups, 0.0);
         buffer.tail.assign(pixels * groups, 0.0);
         buffer.failures.assign(pixels, 0);
@@ -41,7 +43,11 @@ public:
                 if (cancelled.load(std::memory_order_relaxed)) return statistics;
                 for (std::uint32_t sample = first; sample < last; ++sample) {
                     for (std::size_t group = 0; group < groups; ++group) {
-                        const TraceResult result = trace_group(x, y, sample, group, buffer, pixel);
+                        const TraceResult result =
+                            trace_light(sample_task(plan_, x, y, sample, static_cast<int>(group)));
+                        add_light(group, &buffer.stokes[pixel * wavelengths], 1.0);
+                        if (halved)
+                            add_light(group, &buffer.odd_minus_even[pixel * wavelengths], sample % 2 == 1 ? 1.0 : -1.0);
                         buffer.residual[pixel * groups + group] += result.residual;
                         buffer.tail[pixel * groups + group] += result.tail;
                         buffer.failures[pixel] += result.failures;
@@ -59,15 +65,42 @@ public:
         return statistics;
     }
 
+    void preview(const PreviewGrid& grid, const std::atomic<bool>& cancelled, PreviewStrip& strip) override {
+        observer_.flag = &cancelled;
+        const auto columns = static_cast<std::size_t>(grid.columns);
+        const std::size_t wavelengths = plan_.wavelengths_nm.size();
+        const std::size_t groups = plan_.groups.size();
+        strip.stride = grid.stride;
+        strip.stokes.assign(columns * wavelengths, {});
+        strip.residual.assign(columns * groups, 0.0);
+        strip.tail.assign(columns * groups, 0.0);
+        const int y = std::min(strip.row * grid.stride + grid.stride / 2, plan_.settings.height - 1);
+        for (std::size_t column = 0; column < columns; ++column) {
+            if (cancelled.load(std::memory_order_relaxed)) return;
+            const int x = std::min(static_cast<int>(column) * grid.stride + grid.stride / 2, plan_.settings.width - 1);
+            for (std::size_t group = 0; group < groups; ++group) {
+                TraceTask task = sample_task(plan_, x, y, 0, static_cast<int>(group));
+                task.residual = std::max(task.residual, preview_residual);
+                task.node_budget = std::min(task.node_budget, preview_node_budget);
+                const TraceResult result = trace_light(task);
+                add_light(group, &strip.stokes[column * wavelengths], 1.0);
+                strip.residual[column * groups + group] = result.residual;
+                strip.tail[column * groups + group] = result.tail;
+            }
+        }
+    }
+
 private:
-    TraceResult trace_group(int x, int y, std::uint32_t sample, std::size_t group, TileBuffer& buffer,
-                            std::size_t pixel) {
+    /// Leaves the light of the sample in light_, one Stokes vector per wavelength of the group.
+    TraceResult trace_light(const TraceTask& task) {
+        light_.assign(plan_.groups[static_cast<std::size_t>(task.group)].wavelengths.size(), {});
+        return tracer_.trace(task, light_);
+    }
+
+    /// Adds light_, times `sign`, to the sums of a pixel.
+    void add_light(std::size_t group, Stokes<double>* sums, double sign) const {
         const std::vector<int>& members = plan_.groups[group].wavelengths;
-        light_.assign(members.size(), {});
-        const TraceResult result = tracer_.trace(sample_task(plan_, x, y, sample, static_cast<int>(group)), light_);
-        Stokes<double>* sums = &buffer.stokes[pixel * plan_.wavelengths_nm.size()];
-        for (std::size_t i = 0; i < members.size(); ++i) sums[members[i]] += light_[i];
-        return result;
+        for (std::size_t i = 0; i < members.size(); ++i) sums[members[i]] += sign * light_[i];
     }
 
     const Plan& plan_;

@@ -6,9 +6,10 @@
 #include <cstdint>
 #include <memory>
 
-#include "film/film.h"
+#include "film/tile.h"
 #include "plan/plan.h"
-#include "render/renderer.h"
+#include "render/preview.h"
+#include "render/render_progress.h"
 
 namespace pol {
 
@@ -20,6 +21,8 @@ public:
     /// use, once `cancelled` is set.
     virtual RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
                                    TileBuffer& buffer) = 0;
+    /// Traces strip.row of the preview, a sample per block. Returns early, like trace().
+    virtual void preview(const PreviewGrid& grid, const std::atomic<bool>& cancelled, PreviewStrip& strip) = 0;
 };
 
 /// The kernel instance for the plan's features. The plan must outlive it.

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -14,39 +12,34 @@
 
 #include "film/film.h"
 #include "plan/plan.h"
+#include "render/render_job.h"
+#include "render/render_progress.h"
 
 namespace pol {
 
-/// What the workers have done in the current job.
-struct RenderStatistics {
-    std::uint64_t samples = 0;  ///< camera samples, each counted once for all its wavelengths
-    std::uint64_t nodes = 0;    ///< rays followed
-    std::uint64_t failures = 0;
-    std::uint32_t most_nodes = 0;      ///< in one tree
-    double worst_energy_defect = 0.0;  ///< largest |resolved + absorbed + residual + tail - 1|
-};
-
-struct RenderProgress {
-    double done = 0.0;  ///< share of the samples asked for, 0..1
-    bool finished = false;
-    RenderStatistics statistics{};
-};
+class PassTracer;
 
 /// Threads that the machine can run at once, at least 1.
 int hardware_threads();
 
-/// Thread safety: all members from the owner's thread; `wake` is called from workers.
+/// Thread safety: snapshot() and film() from any thread, the other members from the owner's; `wake` is called from
+/// workers.
+///
+/// The owner looks, with wait_for() or progress(), at least once a second while a job runs: that keeps the time limit,
+/// and a longer gap is taken for a suspended program, whose time does not count.
 class Renderer {
 public:
-    /// `wake` is called after every merged tile and at the end of a job.
+    /// `wake` is called after every tile or row of the preview that is in the film, and at the end of a job. Smaller
+    /// tiles show something new sooner; the picture does not depend on them.
     explicit Renderer(int threads, int tile_size = 32, std::function<void()> wake = {});
     /// Stops and joins.
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Starts over with a new plan; does not wait for what is running, whose results are refused from now on.
-    void start(std::shared_ptr<const Plan> plan);
+    /// Starts over with a new plan; does not wait for what is running, whose results are refused from now on. Returns
+    /// the generation that the film then has.
+    Generation start(std::shared_ptr<const Plan> plan, const RenderOptions& options = {});
 
     /// Ends the current job; what is finished stays in the film. Workers stop within one interface of each other.
     void cancel();
@@ -60,34 +53,28 @@ public:
 
     [[nodiscard]] RenderProgress progress() const;
 
-    /// Picture so far, with wavelengths, brightest and attributes of the plan.
-    [[nodiscard]] StokesImage snapshot() const;
+    /// Picture so far, with wavelengths, brightest and title of the plan. Does not hold up the workers.
+    [[nodiscard]] StokesImage snapshot() const { return film_.snapshot(); }
 
     [[nodiscard]] const Film& film() const { return film_; }
 
 private:
-    struct Job;
-    struct TileTask {
-        int tile = 0;
-        std::uint32_t first_sample = 0;
-    };
     struct Work {
-        std::shared_ptr<Job> job;
-        TileTask task{};
+        std::shared_ptr<RenderJob> job;
+        RenderTask task{};
     };
 
     void work(const std::stop_token& shutdown);
     [[nodiscard]] Work next(const std::stop_token& shutdown);
-    void give_back(const Work& work, bool delivered, const RenderStatistics& statistics);
+    void render(PassTracer& tracer, const Work& work);
 
     Film film_;
     int tile_size_;
     std::function<void()> wake_;
     mutable std::mutex mutex_;  // guards the members below; taken before the film's
     std::condition_variable_any changed_;
-    std::shared_ptr<Job> job_;
+    std::shared_ptr<RenderJob> job_;
     Generation generation_ = 0;
-    bool paused_ = false;
     std::vector<std::jthread> workers_;
 };
 

@@ -11,15 +11,17 @@
 namespace pol {
 
 /// Where in its pixel a sample lies, (0,0) top left to (1,1). Sample 0 is always the centre, so that a click shows the
-/// same tree in both modes. The others follow the R2 sequence (M. Roberts, "The unreasonable effectiveness of
-/// quasirandom sequences", 2018), shifted at random per pixel.
+/// same tree in both modes. The even and the odd ones of the others each follow the R2 sequence (M. Roberts, "The
+/// unreasonable effectiveness of quasirandom sequences", 2018), shifted at random per pixel and half: two independent
+/// estimates of the pixel, whose difference tells their error (film/picture_error.h).
 inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample) {
     if (mode == SampleMode::point || sample == 0) return {0.5, 0.5};
     constexpr double step_x = 0.7548776662466927;  // 1/p, p^3 = p + 1
     constexpr double step_y = 0.5698402909980532;  // 1/p^2
     const RandomKey key{seed, pixel, 0, 0};
-    const double x = random_unit(key, 0) + step_x * static_cast<double>(sample);
-    const double y = random_unit(key, 1) + step_y * static_cast<double>(sample);
+    const std::uint32_t half = sample % 2;
+    const double x = random_unit(key, 2 * half) + step_x * static_cast<double>(sample / 2);
+    const double y = random_unit(key, 2 * half + 1) + step_y * static_cast<double>(sample / 2);
     return {x - std::floor(x), y - std::floor(y)};
 }
 
@@ -32,6 +34,8 @@ inline TraceTask sample_task(const Plan& plan, int x, int y, std::uint32_t sampl
     task.group = group;
     task.region = plan.camera_region >= 0 ? plan.camera_region : plan.region_at(task.ray.origin);
     task.key = {plan.settings.seed, pixel, sample, static_cast<std::uint32_t>(group)};
+    task.residual = plan.settings.residual;
+    task.node_budget = plan.settings.node_budget;
     return task;
 }
 

@@ -35,6 +35,9 @@ struct TraceTask {
     int group = 0;   ///< index into Plan::groups
     int region = 0;  ///< where the camera is
     RandomKey key{};
+    /// How far the tree is followed, as RenderSettings has it.
+    double residual = 0.0;
+    int node_budget = 0;
 };
 
 /// What became of the unit weight of a sample, and the work it took.
@@ -74,8 +77,8 @@ public:
         queue_.clear();
         open_root(task);
 
-        const double target = plan_.settings.residual;
-        const auto budget = static_cast<std::uint32_t>(plan_.settings.node_budget);
+        const double target = task.residual;
+        const auto budget = static_cast<std::uint32_t>(task.node_budget);
         LeafReason cut = LeafReason::residual;
         while (!queue_.empty() && queue_.open_weight() > target) {
             if (result_.nodes >= budget) {

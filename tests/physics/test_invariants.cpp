@@ -223,6 +223,8 @@ TEST(HalfSpacesAndEmbree, NoRayLeaksThroughAnEdgeOrCornerOfTheBrilliant) {
                 camera.horizontal_fov = 0.1;
                 TraceTask task;
                 task.ray = CameraModel(camera, 1, 1).ray(0.5, 0.5);
+                task.residual = plan->settings.residual;
+                task.node_budget = plan->settings.node_budget;
                 Stokes<double> light;
                 const TraceResult r = tracer.trace(task, {&light, 1});
                 ASSERT_EQ(r.failures, 0U) << "one mesh: " << one_mesh << ", direction " << i;

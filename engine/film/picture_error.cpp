@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "film/picture_error.h"
+
+#include <cmath>
+
+namespace pol {
+
+namespace {
+
+/// Root of error / light; an error without light is infinite, nothing wrong with nothing is 0.
+double relative_rms(double error, double light) {
+    return error > 0.0 ? std::sqrt(error / light) : 0.0;
+}
+
+}  // namespace
+
+PictureError picture_error(const ErrorSums& sums, bool random_samples) {
+    PictureError error;
+    error.random_samples = random_samples;
+    if (sums.count > 0.0) error.residual_mean = sums.residual / sums.count;
+    error.residual_max = sums.residual_max;
+    error.truncation = relative_rms(sums.missing, sums.light);
+    if (!random_samples)
+        error.sampling = 0.0;
+    else if (sums.has_halves)
+        error.sampling = relative_rms(sums.half_error, sums.halved_light);
+    return error;
+}
+
+}  // namespace pol

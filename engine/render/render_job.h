@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is to be done for one picture, in which order, and what of it is done.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "film/film.h"
+#include "plan/plan.h"
+#include "render/preview.h"
+#include "render/render_progress.h"
+#include "render/stop_rules.h"
+
+namespace pol {
+
+/// One row of preview blocks.
+struct PreviewTask {
+    int row = 0;
+};
+
+/// Samples first_sample..last_sample-1 of every pixel of a tile.
+struct TileTask {
+    int tile = 0;
+    std::uint32_t first_sample = 0;
+    std::uint32_t last_sample = 0;
+};
+
+using RenderTask = std::variant<PreviewTask, TileTask>;
+
+/// One call of Renderer::start(). Thread safety: none but for `cancelled`, which may be read at any time, and what is
+/// constant; Renderer locks the rest.
+class RenderJob {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    RenderJob(std::shared_ptr<const Plan> plan, Generation generation, const RenderOptions& options, int tile_size);
+
+    const std::shared_ptr<const Plan> plan;
+    const Generation generation;
+    const std::vector<TileRect> tiles;
+    const PreviewGrid preview;
+    std::atomic<bool> cancelled{false};
+
+    /// Nothing is under way, and nothing will be.
+    [[nodiscard]] bool finished() const { return busy_.empty() && (queue_.empty() || cancelled.load()); }
+    [[nodiscard]] bool has_work() const { return !cancelled.load() && !queue_.empty(); }
+
+    /// Requires: has_work().
+    RenderTask take();
+    /// The task ends without a result.
+    void drop(const RenderTask& task);
+    /// A row of the preview is in the film.
+    void deliver(const PreviewTask& task, const PreviewStrip& strip);
+    /// A pass is in the film. True if all pixels now have the same number of samples and the error rule wants to know
+    /// the error: then report() must follow before the job goes on.
+    [[nodiscard]] bool deliver(const TileTask& task, const RenderStatistics& statistics);
+    void report(const PictureError& error);
+
+    void stop(StopReason reason);
+    /// Counts the time since the last look, unless the job was paused or the program suspended; applies the time limit.
+    void look(Clock::time_point now);
+    void pause(bool paused) { paused_ = paused; }
+    [[nodiscard]] bool paused() const { return paused_; }
+
+    /// All but what the film knows.
+    [[nodiscard]] RenderProgress progress() const;
+    [[nodiscard]] double seconds_to_limit() const;
+
+private:
+    void queue_passes(std::uint32_t first_sample);
+    void forget(const RenderTask& task);
+    [[nodiscard]] std::uint32_t wanted() const { return static_cast<std::uint32_t>(plan->settings.samples_per_pixel); }
+
+    StopRules rules_;
+    std::deque<RenderTask> queue_;
+    std::vector<RenderTask> busy_;
+    std::vector<int> order_;  // of the tiles
+    TileImportance importance_;
+    int previews_missing_ = 0;
+    std::uint32_t next_report_ = 0;  // samples at which all tiles wait for each other; 0: never
+    int tiles_arrived_ = 0;          // there
+    RenderStatistics statistics_{};
+    std::vector<ErrorReport> reports_;
+    StopReason reason_ = StopReason::none;
+    double seconds_ = 0.0;
+    Clock::time_point last_look_;
+    bool paused_ = false;
+};
+
+}  // namespace pol
