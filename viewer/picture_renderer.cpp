@@ -1,45 +1,291 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/picture_renderer.h"
 
-#include "viewer/gl/gl.h"
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "maps/evaluate.h"
+#include "spectrum/illuminant.h"
+#include "viewer/gl/float_texture.h"
+#include "viewer/gl/program.h"
+#include "viewer/gl/render_target.h"
+#include "viewer/gl/shader_sources.h"
+#include "viewer/map_look.h"
+#include "viewer/picture_floats.h"
 
 namespace pol {
 
+namespace {
+
+using Float2 = std::array<float, 2>;
+using Float3 = std::array<float, 3>;
+
+constexpr Float4 background{0.1F, 0.1F, 0.1F, 1.0F};
+
+/// Nodes of a color scale: all scales have their kinks at quarters.
+constexpr int scale_nodes = 1025;
+
+// Texture units.
+enum Unit : int { unit_stokes, unit_left_out, unit_red, unit_green, unit_blue, unit_scale };
+
+/// The enumerations as map.frag names them.
+std::string shader_constants() {
+    std::string text;
+    for (const QuantityInfo& about : quantities()) {
+        text += "const int quantity_" + std::string(about.name) + " = " +
+                std::to_string(static_cast<int>(about.quantity)) + ";\n";
+    }
+    const auto add_state = [&](const std::string& name, PixelState state) {
+        text += "const int state_" + name + " = " + std::to_string(static_cast<int>(state)) + ";\n";
+    };
+    add_state("defined", PixelState::defined);
+    add_state("no_light", PixelState::no_light);
+    add_state("undefined", PixelState::undefined);
+    add_state("undetermined", PixelState::undetermined);
+    add_state("not_a_number", PixelState::not_a_number);
+    return text + "const int state_count = " + std::to_string(pixel_state_count) + ";\n";
+}
+
+Float3 to_single3(const Rgb& color) {
+    return {to_single(color[0]), to_single(color[1]), to_single(color[2])};
+}
+
+/// As a shader writes it: 0 to 1, still sRGB.
+Float3 encoded(const Rgb8& color) {
+    return to_single3(Rgb{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0});
+}
+
+/// Colors of the states, by state; the hatch's light stripes for `undetermined`. The paper's style has only black and
+/// the color of defects.
+std::array<Float3, pixel_state_count> state_colors(MapStyle style) {
+    std::array<Float3, pixel_state_count> colors{};
+    for (const PixelState state :
+         {PixelState::no_light, PixelState::undefined, PixelState::undetermined, PixelState::not_a_number}) {
+        if (style == MapStyle::paper && state != PixelState::not_a_number) continue;
+        colors[static_cast<std::size_t>(state)] = encoded(state_color(state, 0, 0));
+    }
+    return colors;
+}
+
+Float3 dark_stripes(MapStyle style) {
+    return style == MapStyle::paper ? Float3{} : encoded(state_color(PixelState::undetermined, 4, 0));
+}
+
+/// What fading ends in: the color of `undefined`, linear.
+Float3 fade_ground() {
+    const Rgb8 color = state_color(PixelState::undefined, 0, 0);
+    return to_single3(Rgb{srgb_decode(color[0] / 255.0), srgb_decode(color[1] / 255.0), srgb_decode(color[2] / 255.0)});
+}
+
+void write_scale(FloatTexture& texture, ColorScale scale) {
+    std::vector<Float4> nodes;
+    for (int i = 0; i < scale_nodes; ++i) {
+        const Rgb color = scale_color(scale, i / (scale_nodes - 1.0));
+        nodes.push_back(to_single(color[0], color[1], color[2], 1.0));
+    }
+    texture.resize(scale_nodes, 1);
+    texture.write({0, 0, scale_nodes, 1}, nodes);
+}
+
+/// All that a drawn view depends on but for the textures' contents.
+struct Drawn {
+    int width = 0;
+    int height = 0;
+    Float2 origin{};
+    float zoom = 1.0F;
+    float hatch = 1.0F;
+    Quantity quantity{};
+    MapStyle style{};
+    ColorScale scale{};
+    float low = 0.0F;
+    float high = 1.0F;
+    float brightest = 0.0F;
+    float d65 = 1.0F;
+    bool has_bench = false;
+    Float4 bench_row{};
+    float gain = 1.0F;
+    float offset = 0.0F;
+    float gamma = 1.0F;
+    bool over_intensity = false;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
+};
+
+Drawn what_to_draw(const Session& session, int width, int height, double pixel_ratio) {
+    const ViewSettings& view = session.view;
+    const StokesImage& picture = session.current()->picture();
+    const MapLook look = map_look(session);
+    const auto d65 = d65_at(picture.wavelengths_nm[view.wavelength]);
+    const auto first_row = session.bench.mueller().m[0];
+    Drawn drawn;
+    drawn.width = width;
+    drawn.height = height;
+    drawn.origin = {to_single(session.transform.offset.x * pixel_ratio),
+                    to_single(session.transform.offset.y * pixel_ratio)};
+    drawn.zoom = to_single(session.transform.scale * pixel_ratio);
+    drawn.hatch = to_single(session.transform.scale);
+    drawn.quantity = view.quantity;
+    drawn.style = view.style;
+    drawn.scale = look.scale;
+    drawn.low = to_single(look.range.low);
+    drawn.high = to_single(look.range.high);
+    drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[view.wavelength]);
+    drawn.d65 = d65 ? to_single(d65.value()) : 0.0F;
+    drawn.has_bench = !session.bench.empty();
+    drawn.bench_row = to_single(first_row[0], first_row[1], first_row[2], first_row[3]);
+    drawn.gain = to_single(std::exp2(view.exposure));
+    drawn.offset = to_single(view.offset);
+    drawn.gamma = to_single(view.gamma);
+    drawn.over_intensity = view.over_intensity;
+    return drawn;
+}
+
+void set_uniforms(const Program& program, const Drawn& drawn) {
+    program.set("viewport_height", static_cast<float>(drawn.height));
+    program.set("origin", drawn.origin);
+    program.set("zoom", drawn.zoom);
+    program.set("hatch", drawn.hatch);
+    program.set("background", background);
+    program.set("quantity", static_cast<int>(drawn.quantity));
+    program.set("low", drawn.low);
+    program.set("high", drawn.high);
+    program.set("brightest", drawn.brightest);
+    program.set("d65", drawn.d65);
+    program.set("noise", to_single(pixel_noise));
+    program.set("full_weight", to_single(full_weight_polarization));
+    program.set("fades", drawn.style == MapStyle::paper ? 0 : 1);
+    program.set("has_bench", drawn.has_bench ? 1 : 0);
+    program.set("bench_row", drawn.bench_row);
+    program.set("gain", drawn.gain);
+    program.set("offset", drawn.offset);
+    program.set("gamma", drawn.gamma);
+    program.set("over_intensity", drawn.over_intensity ? 1 : 0);
+    program.set("ground", fade_ground());
+    program.set("state_colors", state_colors(drawn.style));
+    program.set("hatch_dark", dark_stripes(drawn.style));
+}
+
+}  // namespace
+
 struct PictureRenderer::Gpu {
-    GLuint target = 0;
-    GLuint framebuffer = 0;
+    explicit Gpu(Program map_program) : program(std::move(map_program)) {}
+
+    Program program;
+    VertexArrayName no_vertices;
+    RenderTarget target{GL_RGBA8};
+    FloatTexture stokes;
+    FloatTexture left_out;
+    std::array<FloatTexture, 3> color;
+    FloatTexture scale;
+
+    // What the textures hold.
+    const Document* document = nullptr;
+    std::uint64_t layout = 0;
+    std::size_t wavelength = 0;
+    Bench bench;
+    std::optional<ColorScale> scale_shown;
+    /// What the target shows; none: not what the textures hold now.
+    std::optional<Drawn> drawn;
 };
 
 PictureRenderer::PictureRenderer(std::unique_ptr<Gpu> gpu) : gpu_(std::move(gpu)) {}
 
-PictureRenderer::~PictureRenderer() {
-    glDeleteFramebuffers(1, &gpu_->framebuffer);
-    glDeleteTextures(1, &gpu_->target);
-}
+PictureRenderer::~PictureRenderer() = default;
 
 Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create() {
-    auto gpu = std::make_unique<Gpu>();
-    glGenTextures(1, &gpu->target);
-    glGenFramebuffers(1, &gpu->framebuffer);
+    using namespace shader_sources;
+    auto program = Program::link({fullscreen_vert()}, {measures_glsl(), bounds_glsl(), shader_constants(), map_frag()});
+    if (!program) return program.error();
+    auto gpu = std::make_unique<Gpu>(std::move(program).value());
+    gpu->program.use();
+    gpu->program.set("stokes", unit_stokes);
+    gpu->program.set("left_out", unit_left_out);
+    gpu->program.set("red", unit_red);
+    gpu->program.set("green", unit_green);
+    gpu->program.set("blue", unit_blue);
+    gpu->program.set("scale_colors", unit_scale);
     return std::unique_ptr<PictureRenderer>(new PictureRenderer(std::move(gpu)));
 }
 
 void PictureRenderer::upload(Session& session) {
-    if (Document* document = session.current()) document->take_changes();
+    Document* document = session.current();
+    if (document == nullptr || document->picture().pixel_count() == 0) {
+        gpu_->document = nullptr;
+        return;
+    }
+    const StokesImage& picture = document->picture();
+    const TileRect everything{0, 0, picture.width, picture.height};
+    const std::vector<TileRect> changes = document->take_changes();
+
+    const bool is_new = document != gpu_->document || document->picture_layout() != gpu_->layout;
+    const bool is_other_light = session.view.wavelength != gpu_->wavelength || session.bench != gpu_->bench;
+    if (is_new) {
+        gpu_->stokes.resize(picture.width, picture.height);
+        gpu_->left_out.resize(picture.width, picture.height);
+        for (FloatTexture& channel : gpu_->color) channel.resize(picture.width, picture.height);
+    }
+    gpu_->document = document;
+    gpu_->layout = document->picture_layout();
+    gpu_->wavelength = session.view.wavelength;
+    gpu_->bench = session.bench;
+
+    const ShownPicture shown(picture, session.bench);
+    const auto write_light = [&](const TileRect& rect) {
+        const LightFloats floats = light_floats(shown, gpu_->wavelength, rect);
+        gpu_->stokes.write(rect, floats.stokes);
+        gpu_->left_out.write(rect, floats.left_out);
+    };
+    const std::vector<Rgb> weights = color_weights(picture.wavelengths_nm);
+    const auto write_color = [&](const TileRect& rect) {
+        const ColorFloats floats = color_floats(picture, weights, rect);
+        for (std::size_t c = 0; c < floats.size(); ++c) gpu_->color[c].write(rect, floats[c]);
+    };
+    if (is_new || is_other_light) {
+        write_light(everything);
+    } else {
+        for (const TileRect& rect : changes) write_light(rect);
+    }
+    if (is_new) {
+        write_color(everything);
+    } else {
+        for (const TileRect& rect : changes) write_color(rect);
+    }
+    if (is_new || is_other_light || !changes.empty()) gpu_->drawn.reset();
 }
 
-std::uint32_t PictureRenderer::render(const Session& /*session*/, int width, int height, double /*pixel_ratio*/) {
-    glBindTexture(GL_TEXTURE_2D, gpu_->target);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, gpu_->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, gpu_->target, 0);
-    glViewport(0, 0, width, height);
-    glClearColor(0.1F, 0.1F, 0.1F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return gpu_->target;
+std::uint32_t PictureRenderer::render(const Session& session, int width, int height, double pixel_ratio) {
+    const bool has_picture = gpu_->document != nullptr && gpu_->document == session.current();
+    if (!has_picture) {
+        gpu_->drawn.reset();
+        gpu_->target.begin(width, height);
+        glClearColor(background[0], background[1], background[2], background[3]);
+        glClear(GL_COLOR_BUFFER_BIT);
+        RenderTarget::end();
+        return gpu_->target.texture();
+    }
+    const Drawn drawn = what_to_draw(session, width, height, pixel_ratio);
+    if (gpu_->drawn == drawn) return gpu_->target.texture();
+    gpu_->drawn = drawn;
+
+    gpu_->target.begin(width, height);
+    if (gpu_->scale_shown != drawn.scale) write_scale(gpu_->scale, drawn.scale);
+    gpu_->scale_shown = drawn.scale;
+    gpu_->stokes.bind(unit_stokes);
+    gpu_->left_out.bind(unit_left_out);
+    gpu_->color[0].bind(unit_red);
+    gpu_->color[1].bind(unit_green);
+    gpu_->color[2].bind(unit_blue);
+    gpu_->scale.bind(unit_scale);
+    gpu_->program.use();
+    set_uniforms(gpu_->program, drawn);
+    glBindVertexArray(gpu_->no_vertices.id());
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    draw_fullscreen();
+    RenderTarget::end();
+    glBindVertexArray(0);
+    return gpu_->target.texture();
 }
 
 }  // namespace pol

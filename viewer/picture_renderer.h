@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture on the GPU: Stokes vectors of the shown wavelength as a float texture, colored by shaders/map.frag.
+// The picture on the GPU: float textures of the light at the shown wavelength and of the color picture, from which
+// shaders/map.frag makes any map in any style. Another map, range, style or zoom costs no upload.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,8 @@ public:
     void upload(Session& session);
 
     /// Draws the session's map into a texture of `width` x `height` device pixels, which shows the viewport of
-    /// `width / pixel_ratio` logical points. Returns the name of the texture; it belongs to this object.
+    /// `width / pixel_ratio` logical points. The texture's first row is the lowest of the view. Returns the name of the
+    /// texture; it belongs to this object. Draws nothing if the texture shows just that already.
     std::uint32_t render(const Session& session, int width, int height, double pixel_ratio);
 
 private:

@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/contract.h"
 #include "core/units.h"
 #include "maps/error_bars.h"
-#include "polarization/measures.h"
 #include "spectrum/illuminant.h"
 
 namespace pol {
 namespace {
-
-/// A pixel is the sum of up to a thousand leaves and samples that weigh anything (physics.md section 1).
-constexpr double noise = noise_threshold(1000.0);
 
 constexpr MapPixel empty(PixelState state) {
     return {0.0, 0.0, state};
@@ -22,17 +19,6 @@ constexpr MapPixel empty(PixelState state) {
 
 MapPixel number(double value) {
     return std::isfinite(value) ? MapPixel{value} : empty(PixelState::not_a_number);
-}
-
-/// How far S is from being light, 0 for light. A picture file rounds S0 and the polarized part by at most 2^-24 each,
-/// which changes the quotient by at most 2^-24.
-MapPixel unphysical(const Stokes<double>& s) {
-    constexpr double rounding = 0x1p-24;
-    const double polarized = polarized_part(s);
-    if (!std::isfinite(s.s0) || !std::isfinite(polarized)) return empty(PixelState::not_a_number);
-    if (s.s0 == 0.0 && polarized == 0.0) return number(0.0);
-    const double excess = (polarized - s.s0) / (polarized + std::abs(s.s0));
-    return number(excess > rounding ? excess : 0.0);
 }
 
 /// What a map of the polarization state shows.
@@ -89,18 +75,27 @@ Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>&
 
 }  // namespace
 
+double unphysical_part(const Stokes<double>& s) {
+    constexpr double rounding = 0x1p-24;
+    const double polarized = polarized_part(s);
+    if (!std::isfinite(s.s0) || !std::isfinite(polarized)) return std::numeric_limits<double>::quiet_NaN();
+    if (s.s0 == 0.0 && polarized == 0.0) return 0.0;
+    const double excess = (polarized - s.s0) / (polarized + std::abs(s.s0));
+    return excess > rounding ? excess : 0.0;
+}
+
 MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) {
     POL_EXPECTS(quantity != Quantity::color);
     const Stokes<double>& s = light.stokes;
     if (quantity == Quantity::intensity) return number(s.s0 / d65);
     if (quantity == Quantity::residual) return number(light.residual);
-    if (quantity == Quantity::unphysical) return unphysical(s);
+    if (quantity == Quantity::unphysical) return number(unphysical_part(s));
 
-    const Measures<double> m = measure(s, noise);
+    const Measures<double> m = measure(s, pixel_noise);
     const auto bars = error_bars(light);
     if (!std::isfinite(m.dop) || !bars) return empty(PixelState::not_a_number);
     // Crossed polarizers leave a rounding error of the light that they stop: 1e-33 of it is no light.
-    if (bars->s0.high <= noise * light.scale) return empty(PixelState::no_light);
+    if (bars->s0.high <= pixel_noise * light.scale) return empty(PixelState::no_light);
     if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
 
     const Reading reading = read(quantity, s, m, *bars);

@@ -10,6 +10,7 @@
 #include "film/stokes_image.h"
 #include "maps/pixel_light.h"
 #include "maps/quantity.h"
+#include "polarization/measures.h"
 
 namespace pol {
 
@@ -42,6 +43,14 @@ struct Map {
 /// Degree of polarization (for the azimuth: of linear polarization) from which azimuth, ellipticity and handedness
 /// are shown at full weight. Below it the weight falls linearly to 0.
 inline constexpr double full_weight_polarization = 0.05;
+
+/// Part of S0 up to which a component of a pixel is rounding noise: the pixel is the sum of up to a thousand leaves and
+/// samples that weigh anything (physics.md section 1).
+inline constexpr double pixel_noise = noise_threshold(1000.0);
+
+/// How far S is from being light, 0 for light; NaN unless finite. A picture file rounds S0 and the polarized part by at
+/// most 2^-24 each, which changes the quotient by at most 2^-24: less than that is 0.
+double unphysical_part(const Stokes<double>& s);
 
 /// The value of `quantity` of some light. `d65` is CIE D65 at the wavelength, used by `intensity` only.
 /// Requires: quantity is not `color` (see color_picture.h).

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture as maps::evaluate and maps::colorize would have it, one fragment per device pixel of the viewport.
+// After measures.glsl, bounds.glsl and the constants of picture_renderer.cpp (quantity_..., state_...).
+
+uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the bench
+uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S0 of darkness (negative: no sample yet)
+uniform sampler2D red;           // red of S0, S1, S2, S3 as the color picture weighs them, before the bench
+uniform sampler2D green;
+uniform sampler2D blue;
+uniform sampler2D scale_colors;  // one row, linear sRGB
+
+uniform vec2 origin;             // of the picture in the viewport, device pixels, y down
+uniform float zoom;              // device pixels per pixel of the picture
+uniform float hatch;             // points per pixel of the picture
+uniform float viewport_height;   // device pixels
+uniform vec4 background;
+
+uniform int quantity;
+uniform float low;               // value at the beginning of the scale
+uniform float high;              // value at its end
+uniform float brightest;         // trace bound of the light that any path can bring
+uniform float d65;               // 0: not known
+uniform float noise;             // pixel_noise
+uniform float full_weight;       // full_weight_polarization
+uniform bool fades;              // weak polarization is drawn with less than full weight
+uniform bool has_bench;
+uniform vec4 bench_row;          // S0 behind the bench
+uniform float gain;
+uniform float offset;
+uniform float gamma;
+uniform bool over_intensity;
+uniform vec3 ground;             // linear, what fading ends in
+uniform vec3 state_colors[state_count];  // sRGB, by state
+uniform vec3 hatch_dark;
+
+out vec4 fragment;
+
+struct Light {
+    vec4 stokes;
+    float residual;
+    float surplus;
+    float unphysical;
+    float dark;
+    vec3 color;
+    bool is_sampled;
+};
+
+// Light of the pixels low <= p <= high: Stokes vectors add, maps of them do not. A defect counts as the worst of all.
+Light light_of(ivec2 first, ivec2 last) {
+    bool needs_color = quantity == quantity_color || over_intensity;
+    ivec2 stride = max(ivec2(1), (last - first + 8) / 8);
+    Light mean = Light(vec4(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), false);
+    float count = 0.0;
+    for (int y = first.y; y <= last.y; y += stride.y) {
+        for (int x = first.x; x <= last.x; x += stride.x) {
+            ivec2 at = ivec2(x, y);
+            vec4 error = texelFetch(left_out, at, 0);
+            if (error.w < 0.0) continue;
+            count += 1.0;
+            mean.stokes += texelFetch(stokes, at, 0);
+            mean.residual += error.x;
+            mean.surplus += error.y;
+            mean.unphysical = isnan(error.z) || error.z > mean.unphysical ? error.z : mean.unphysical;
+            mean.dark += error.w;
+            if (needs_color) {
+                vec4 r = texelFetch(red, at, 0);
+                vec4 g = texelFetch(green, at, 0);
+                vec4 b = texelFetch(blue, at, 0);
+                mean.color += has_bench ? vec3(dot(bench_row, r), dot(bench_row, g), dot(bench_row, b))
+                                        : vec3(r.x, g.x, b.x);
+            }
+        }
+    }
+    mean.is_sampled = count > 0.0;
+    mean.stokes /= count;
+    mean.residual /= count;
+    mean.surplus /= count;
+    mean.dark /= count;
+    mean.color /= count;
+    return mean;
+}
+
+struct MapPixel {
+    float value;
+    float weight;
+    int state;
+};
+
+MapPixel number(float value) {
+    return MapPixel(value, 1.0, is_finite(value) ? state_defined : state_not_a_number);
+}
+
+MapPixel empty(int state) {
+    return MapPixel(0.0, 0.0, state);
+}
+
+// evaluate_light of engine/maps/evaluate.cpp.
+MapPixel evaluate(Light light) {
+    if (quantity == quantity_intensity) return d65 == 0.0 ? empty(state_undefined) : number(light.stokes.x / d65);
+    if (quantity == quantity_residual) return number(light.residual);
+    if (quantity == quantity_unphysical) return number(light.unphysical);
+
+    vec4 s = light.stokes;
+    float surplus = light.surplus;
+    float missing = light.residual * brightest + surplus;
+    Measures m = measure(s, noise);
+    if (!m.is_light || !is_finite(missing) || !(surplus >= 0.0) || !(light.residual >= 0.0)) {
+        return empty(state_not_a_number);
+    }
+    if (s.x + missing <= light.dark) return empty(state_no_light);
+    if (!m.has_light) return empty(state_undetermined);
+
+    float radius = missing + surplus;
+    vec2 dop_bar = share_bounds(m.polarized, s.x, missing, surplus);
+    vec2 dolp_bar = share_bounds(m.linear, s.x, missing, surplus);
+    float value = 0.0;
+    float weight = 1.0;
+    bool is_defined = true;
+    bool is_determined = true;
+    bool is_of_direction = false;
+    if (quantity == quantity_dop) {
+        value = m.dop;
+        is_determined = dop_bar.y - dop_bar.x < 0.5;
+    } else if (quantity == quantity_dolp) {
+        value = m.dolp;
+        is_determined = dolp_bar.y - dolp_bar.x < 0.5;
+    } else if (quantity == quantity_docp) {
+        vec2 bar = share_bounds(abs(s.w), s.x, missing, surplus);
+        value = m.docp;
+        is_determined = bar.y - bar.x < 0.5;
+    } else if (quantity == quantity_ellipticity) {
+        vec2 bar = ellipticity_bounds(m, radius);
+        value = m.ellipticity;
+        weight = m.dop / full_weight;
+        is_defined = m.has_polarization;
+        is_determined = bar.y - bar.x < 0.5;
+        is_of_direction = true;
+    } else if (quantity == quantity_handedness) {
+        vec2 bar = ellipticity_angle_bounds(m, radius);
+        value = m.chirality;
+        weight = m.dop / full_weight;
+        is_defined = m.has_polarization;
+        is_determined = bar.y - bar.x < pi / 4.0;
+        is_of_direction = true;
+    } else if (quantity == quantity_azimuth) {
+        value = degrees(m.azimuth);
+        weight = m.dolp / full_weight;
+        is_defined = m.has_azimuth;
+        is_determined = azimuth_bound(m, radius) < pi / 4.0;
+        is_of_direction = true;
+    } else if (quantity == quantity_s1 || quantity == quantity_s2 || quantity == quantity_s3) {
+        float part = quantity == quantity_s1 ? s.y : quantity == quantity_s2 ? s.z : s.w;
+        value = part / s.x;
+        is_determined = 2.0 * radius < s.x;
+    } else if (quantity == quantity_dop_error) {
+        value = share_half_width(m.polarized, s.x, missing, surplus);
+    } else if (quantity == quantity_ellipticity_error) {
+        value = m.has_polarization ? ellipticity_half_width(m, s.w, radius) : 0.0;
+        is_defined = m.has_polarization;
+    } else if (quantity == quantity_azimuth_error) {
+        value = degrees(azimuth_bound(m, radius));
+        is_defined = m.has_azimuth;
+    }
+
+    // Where the polarized part is known to be next to nothing, its direction is not unknown but without meaning.
+    float most = quantity == quantity_azimuth ? dolp_bar.y : dop_bar.y;
+    bool is_unpolarized = is_of_direction && most < full_weight;
+    if (!is_determined && !is_unpolarized) return empty(state_undetermined);
+    if (!is_defined || !is_determined) return empty(state_undefined);
+    return MapPixel(value, min(1.0, weight), state_defined);
+}
+
+vec3 srgb_encode(vec3 linear) {
+    vec3 inside = clamp(linear, 0.0, 1.0);
+    return mix(12.92 * inside, 1.055 * pow(inside, vec3(1.0 / 2.4)) - 0.055, greaterThan(inside, vec3(0.0031308)));
+}
+
+// Offset and gamma of a photograph; `light` is already exposed.
+vec3 developed(vec3 light) {
+    vec3 shifted = light + offset;
+    return gamma == 1.0 ? shifted : pow(max(shifted, vec3(0.0)), vec3(1.0 / gamma));
+}
+
+// Linear between the nodes of the scale, which stand at every kink.
+vec3 scale_color(float t) {
+    int last = textureSize(scale_colors, 0).x - 1;
+    float place = clamp(t, 0.0, 1.0) * float(last);
+    int node = min(int(place), last - 1);
+    return mix(texelFetch(scale_colors, ivec2(node, 0), 0).rgb, texelFetch(scale_colors, ivec2(node + 1, 0), 0).rgb,
+               place - float(node));
+}
+
+// sRGB of the shown map; `at` in points from the picture's corner.
+vec3 map_color(Light light, ivec2 at) {
+    if (quantity == quantity_color) {
+        bool is_number = is_finite(vec4(light.color, 0.0));
+        return is_number ? srgb_encode(developed(gain * light.color)) : state_colors[state_not_a_number];
+    }
+    MapPixel pixel = evaluate(light);
+    if (pixel.state == state_undetermined && (at.x + at.y) / 2 % 4 >= 2) return hatch_dark;
+    if (pixel.state != state_defined) return state_colors[pixel.state];
+    float t = (pixel.value - low) / (high - low);
+    if (quantity == quantity_intensity) t = developed(vec3(t)).x;
+    return srgb_encode(mix(ground, scale_color(t), fades ? pixel.weight : 1.0));
+}
+
+void main() {
+    vec2 view = vec2(gl_FragCoord.x, viewport_height - gl_FragCoord.y);
+    vec2 p = (view - origin) / zoom;
+    ivec2 size = textureSize(stokes, 0);
+    fragment = background;
+    if (any(lessThan(p, vec2(0.0))) || any(greaterThanEqual(p, vec2(size)))) return;
+
+    ivec2 first = ivec2(p);
+    ivec2 last = first;
+    if (zoom < 1.0) {
+        // Pixels whose centers lie under this device pixel: every one of the picture is under exactly one.
+        first = max(ivec2(ceil(p - 0.5 / zoom - 0.5)), ivec2(0));
+        last = min(ivec2(ceil(p + 0.5 / zoom - 0.5)) - 1, size - 1);
+    }
+    Light light = light_of(first, last);
+    if (!light.is_sampled) return;
+    vec3 shown = map_color(light, ivec2(p * hatch));
+    if (over_intensity && quantity != quantity_color) {
+        vec3 exposed = developed(gain * light.color);
+        shown *= srgb_encode(vec3(dot(exposed, vec3(0.2126, 0.7152, 0.0722)))).x;
+    }
+    fragment = vec4(shown, 1.0);
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "film/film.h"
+#include "viewer/gl/name.h"
+#include "viewer/picture_floats.h"
+
+namespace pol {
+
+/// Texture of four floats a pixel, read by texelFetch: no filter, no mipmaps. resize() and write()
+/// change what texture unit 0 is bound to. Row 0 is the row that is written first.
+class FloatTexture {
+public:
+    /// Makes room for width x height pixels; what they hold is undefined.
+    void resize(int width, int height);
+    /// Requires: `rect` lies inside the texture, one value for each of its pixels, row by row.
+    void write(const TileRect& rect, std::span<const Float4> pixels);
+    /// Makes it the texture of a sampler with value `unit`.
+    void bind(int unit) const;
+
+private:
+    TextureName name_;
+};
+
+}  // namespace pol
