@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a bare Debian 12 to pictures: installs what is missing, builds, renders. See --help.
+# From a bare Debian 12 to the window: installs what is missing, builds, opens. See --help.
 set -euo pipefail
 root=$(cd "$(dirname "$0")" && pwd)
 
 usage() {
     cat <<'END'
-Usage: ./run.sh [SCENE]
+Usage: ./run.sh [--render] [FILE]
 
 Installs the Debian packages that are missing (needs root or sudo only for that), builds build/release/polariscope and
-renders SCENE, by default assets/scenes/paper-calcite-unpolarized.yaml, into ./out:
+opens FILE in the window: a scene, by default assets/scenes/paper-calcite-unpolarized.yaml, or an EXR picture. F1 shows the
+keys. With --render, or where there is no display, it renders the scene into ./out instead:
   NAME.exr              Stokes vectors at 580 nm with the residual, for any EXR viewer
   NAME-intensity.png    and -dop, -ellipticity, -azimuth, -residual: maps at 580 nm
   NAME-color.exr, .png  21 wavelengths, 380:780:20 nm, and the color that the CIE 1931 observer sees
@@ -21,38 +22,52 @@ JOBS=N sets the number of compile jobs.
 Examples:
   ./run.sh
   ./run.sh assets/scenes/fresnel-rhomb.yaml
+  ./run.sh --render assets/scenes/fresnel-rhomb.yaml
 END
 }
 
+render=no
 case ${1-} in
 -h | --help) usage && exit 0 ;;
+--render) render=yes && shift ;;
+esac
+case ${1-} in
 -*) usage >&2 && exit 2 ;;
 esac
 [ $# -le 1 ] || { usage >&2 && exit 2; }
 
-scene=$(realpath -m -- "${1-$root/assets/scenes/paper-calcite-unpolarized.yaml}")
+file=$(realpath -m -- "${1-$root/assets/scenes/paper-calcite-unpolarized.yaml}")
 # shellcheck source=tests/support/setup.sh
 . "$root/tests/support/setup.sh"
-[ -f "$scene" ] || { say "run.sh: no such scene: $scene" >&2 && exit 3; }
+[ -f "$file" ] || { say "run.sh: no such file: $file" >&2 && exit 3; }
 
-mkdir -p "$root/build" "$root/out"
+mkdir -p "$root/build"
 install_packages run
 configure release || fail "CMake could not configure"
 cmake --build "$root/build/release" --target polariscope ${JOBS:+-j "$JOBS"} -- --quiet || fail "the build failed"
 
 program=$root/build/release/polariscope
-name=$(basename "$scene")
+if [ $render = no ]; then
+    [ -z "${DISPLAY-}" ] || exec "$program" view "$file"
+    say "there is no display to open a window on (DISPLAY is not set); rendering into $root/out instead"
+fi
+case $file in
+*.exr) say "run.sh: $file is a picture already; draw its maps with: $program maps $file --map all -o FOLDER" >&2 && exit 2 ;;
+esac
+
+mkdir -p "$root/out"
+name=$(basename "$file")
 name=$root/out/${name%.*}
 
 # A picture is new enough if it is younger than the program, the scene's folder and all that is shipped in assets/.
 out_of_date() {
-    [ ! -f "$1" ] || [ -n "$(find "$program" "$(dirname "$scene")" "$root/assets" -newer "$1" -print -quit)" ]
+    [ ! -f "$1" ] || [ -n "$(find "$program" "$(dirname "$file")" "$root/assets" -newer "$1" -print -quit)" ]
 }
 
 # render PICTURE OPTION...
 render() {
     if out_of_date "$1"; then
-        "$program" render "$scene" -o "$1" "${@:2}"
+        "$program" render "$file" -o "$1" "${@:2}"
     fi
 }
 # draw EXR MAP

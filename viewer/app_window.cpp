@@ -55,7 +55,7 @@ AppWindow& self(GLFWwindow* window) {
 /// Keys come from the window's own callback: ImGui 1.86 misses a press and release within one frame.
 void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     self(window).note_input();
-    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
+    self(window).tell_key(key, scancode, action, modifiers);
     constexpr int foreign = GLFW_MOD_ALT | GLFW_MOD_SUPER;
     Session& session = self(window).session();
     if (action == GLFW_RELEASE || (modifiers & foreign) != 0 || session.window.modal()) return;
@@ -196,6 +196,17 @@ void AppWindow::end_frame() {
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
+    pressed_ = false;
+    for (const Release& release : std::exchange(released_, {}))
+        ImGui_ImplGlfw_KeyCallback(window_, release.key, release.scancode, GLFW_RELEASE, release.modifiers);
+}
+
+void AppWindow::tell_key(int key, int scancode, int action, int modifiers) {
+    if (action == GLFW_PRESS) pressed_ = true;
+    if (action == GLFW_RELEASE && pressed_)
+        released_.push_back({key, scancode, modifiers});
+    else
+        ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, modifiers);
 }
 
 void AppWindow::follow(const Session& session) {

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/result.h"
 #include "viewer/app.h"
@@ -64,6 +66,9 @@ public:
 
     /// Called by GLFW's callbacks.
     void note_input() { input_ = true; }
+    /// Tells ImGui of a key. It looks only once a frame: releases wait until it has seen what was pressed before them,
+    /// or short presses, and Ctrl with them, would be lost.
+    void tell_key(int key, int scancode, int action, int modifiers);
     Session& session() { return *session_; }
 
 private:
@@ -73,7 +78,14 @@ private:
     GLFWwindow* window_;
     Session* session_;
     bool input_ = true;
-    double font_scale_ = 0.0;  // of the fonts that are loaded
+    struct Release {
+        int key;
+        int scancode;
+        int modifiers;
+    };
+    bool pressed_ = false;           // something, since the last frame
+    std::vector<Release> released_;  // not told yet
+    double font_scale_ = 0.0;        // of the fonts that are loaded
     std::string title_;
     bool full_screen_ = false;
     int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
