@@ -6,10 +6,11 @@
 namespace pol {
 
 void add_check_command(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand("check", "Prove the physics of this program");
+    CLI::App* command = app.add_subcommand("check", "Prove the physics and the numbers of this program");
     command->require_subcommand(1);
-    command->footer("Example:\n  polariscope check facts T9 T11");
+    command->footer("Example:\n  polariscope check facts T9 T11\n  polariscope check stiff -o stiff");
     add_check_facts_command(*command, exit_code);
+    add_check_stiff_command(*command, exit_code);
 }
 
 }  // namespace pol

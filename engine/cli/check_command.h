@@ -7,11 +7,16 @@ class App;
 
 namespace pol {
 
-/// Adds `polariscope check`: the program proves its physics (`check facts`). When the command runs it sets `exit_code`;
+/// Adds `polariscope check`: the program proves its physics (`check facts`) and its numbers
+/// (`check stiff`). When the command runs it sets `exit_code`;
 /// `exit_code` must outlive `app`.
 void add_check_command(CLI::App& app, int& exit_code);
 
 /// Adds `facts` to the command `check`.
 void add_check_facts_command(CLI::App& check, int& exit_code);
+
+/// Adds `stiff` to the command `check`: error and condition of every degenerate case, as a table, JSON, plots and a
+/// page.
+void add_check_stiff_command(CLI::App& check, int& exit_code);
 
 }  // namespace pol

@@ -76,8 +76,8 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     add_explain_command(app, exit_code);
     add_interface_command(app, exit_code);
     add_plan_command(app, exit_code);
-    add_converge_command(app, exit_code);
     add_check_command(app, exit_code);
+    add_converge_command(app, exit_code);
     for (const AddCommand add : more) add(app, exit_code);
     try {
         app.parse(argc, argv);

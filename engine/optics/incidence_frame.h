@@ -44,7 +44,7 @@ IncidenceFrame<Real> incidence_frame(const Vec3<Real>& normal, const Vec3<Real>&
     const Real sine2 = length2(s);
     const Real size2 = length2(k);
     const Real noise = Real(4) * std::numeric_limits<Real>::epsilon();
-    const Real clean = Real(1) / Real(1024);
+    const Real clean = Real(1) / Real(16);
     if (sine2 <= noise * noise * size2) {
         const Vec3<Real> axis = least_aligned_axis(normal);
         s = unit(axis - dot(axis, normal) * normal);

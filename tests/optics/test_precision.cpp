@@ -2,9 +2,9 @@
 // The formulas run over wider numbers, and are then better by as many digits: what limits them is rounding alone.
 #include <gtest/gtest.h>
 
+#include "core/quad.h"
 #include "optics/boundary_helpers.h"
 #include "optics/evanescent_modes.h"
-#include "optics/quad.h"
 
 namespace pol::test {
 namespace {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/stiff.h"
+
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+#include "core/random.h"
+#include "verify/stiff_lists.h"
+
+namespace pol::verify {
+
+std::vector<double> decades(int from, int to, int per_decade) {
+    std::vector<double> settings;
+    const int direction = to < from ? -1 : 1;
+    const int steps = (to - from) * direction * per_decade;
+    for (int i = 0; i <= steps; ++i)
+        settings.push_back(std::pow(10.0, from + direction * static_cast<double>(i) / per_decade));
+    return settings;
+}
+
+const std::vector<StiffCase>& stiff_cases() {
+    static const std::vector<StiffCase> all = [] {
+        std::vector<StiffCase> cases;
+        for (auto part : {stiff_axis_cases(), stiff_incidence_cases(), stiff_index_cases(), stiff_state_cases()})
+            cases.insert(cases.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+        return cases;
+    }();
+    return all;
+}
+
+const std::vector<UntestedRow>& untested_rows() {
+    static const std::vector<UntestedRow> rows = {};
+    return rows;
+}
+
+Turn::Turn(int number) {
+    const auto element = [number](std::uint32_t i) {
+        return 2.0 * random_unit(RandomKey{1, 0, static_cast<std::uint32_t>(number), 0}, i) - 1.0;
+    };
+    x_ = unit(DVec3(element(0), element(1), element(2)));
+    y_ = unit(cross(DVec3(element(3), element(4), element(5)), x_));
+    z_ = cross(x_, y_);
+}
+
+StiffResult run(const StiffCase& stiff_case) {
+    StiffResult result;
+    result.of = &stiff_case;
+    result.sound = true;
+    for (const double setting : stiff_case.settings) {
+        StiffPoint worst;
+        for (int number = 0; number < stiff_case.turns; ++number) {
+            Experiment experiment = stiff_case.at(setting, Turn(number));
+            StiffPoint point{setting, examine(experiment), std::move(experiment.inputs)};
+            const bool worse = point.finding.ratio * worst.finding.chain > worst.finding.ratio * point.finding.chain;
+            if (number == 0 || !point.finding.finite || (worst.finding.finite && worse)) worst = std::move(point);
+        }
+        const Finding& found = worst.finding;
+        result.finite = result.finite && found.finite;
+        result.sound = result.sound && found.finite && found.ratio <= found.chain;
+        if (result.points.empty() || found.error > result.worst.finding.error) result.worst = worst;
+        if (result.points.empty() || found.ratio * result.limit > result.ratio * found.chain) {
+            result.ratio = found.ratio;
+            result.limit = found.chain;
+        }
+        result.points.push_back(std::move(worst));
+    }
+    return result;
+}
+
+}  // namespace pol::verify

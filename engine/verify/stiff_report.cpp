@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/stiff_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace pol::verify {
+
+namespace {
+
+constexpr const char* page_head = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><meta name="color-scheme" content="light dark">
+<meta name="viewport" content="width=device-width"><title>polariscope check stiff</title>
+<style>
+body{font-family:sans-serif;margin:2em auto;max-width:1360px;padding:0 1em;line-height:1.45}
+table{border-collapse:collapse;width:100%}th,td{padding:.25em .6em;text-align:left;border-bottom:1px solid #8884}
+td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}.bad{color:#d22;font-weight:bold}
+.plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(560px,1fr));gap:1em}figure{margin:0}
+svg{width:100%;height:auto}.soft{opacity:.75}
+</style></head><body>
+)";
+
+const char* explanation =
+    "<p>Every case drives one knob towards a point where formulas degenerate. <b>Error</b>: largest deviation of the "
+    "program's results from the same results with 113 bits, or from a closed form. <b>Condition</b>: how far these "
+    "results move, with 113 bits, when the inputs move by one ulp, and one ulp of the result: what no program in "
+    "doubles "
+    "can avoid. <b>Limit</b>: as many times the condition as there are rounded operations on the longest way from an "
+    "input to a result, counted by running the formulas over numbers that count. A case is sound if error / condition "
+    "stays below its limit at every setting and every number is finite. Hollow markers on an edge are zeros.</p>\n";
+
+}  // namespace
+
+std::string range_text(const StiffCase& stiff_case) {
+    const std::vector<double>& all = stiff_case.settings;
+    const bool ends_at_zero = all.back() == 0.0 && all.size() > 1;
+    std::string text = fmt::format("{:.3g} .. {:.3g}", all.front(), ends_at_zero ? all[all.size() - 2] : all.back());
+    return ends_at_zero ? text + ", 0" : text;
+}
+
+Plot stiff_plot(const StiffResult& result) {
+    const StiffCase& of = *result.of;
+    Plot plot;
+    plot.title = of.name;
+    plot.subtitle = of.sentence;
+    const bool falling = of.settings.front() > of.settings[of.settings.size() / 2];
+    plot.x = {of.knob, AxisScale::logarithmic, {}, {}, falling};
+    const double span = *std::max_element(of.settings.begin(), of.settings.end());
+    if (span < 100.0 && of.settings.front() == 0.0) plot.x.scale = AxisScale::linear;
+    plot.y = {"error", AxisScale::logarithmic, {}, {}, false};
+    PlotSeries error{"error", {}, 0, PlotMarker::circle, true, false};
+    PlotSeries condition{"condition (one ulp of the inputs)", {}, 1, PlotMarker::none, true, false};
+    PlotSeries limit{"limit", {}, 2, PlotMarker::none, true, true};
+    double lowest = 1e-17;
+    for (const StiffPoint& point : result.points) {
+        const Finding& found = point.finding;
+        error.points.emplace_back(point.setting, found.error);
+        condition.points.emplace_back(point.setting, found.condition);
+        limit.points.emplace_back(point.setting, found.chain * found.condition);
+        if (found.error > 0.0) lowest = std::min(lowest, found.error);
+    }
+    plot.y.low = std::pow(10.0, std::floor(std::log10(lowest)));
+    plot.series = {limit, condition, error};
+    return plot;
+}
+
+std::string stiff_page(const std::vector<StiffResult>& results) {
+    const auto sound = static_cast<std::size_t>(
+        std::count_if(results.begin(), results.end(), [](const StiffResult& r) { return r.sound; }));
+    std::size_t points = 0;
+    for (const StiffResult& r : results) points += r.points.size();
+    std::string page = page_head;
+    page += fmt::format("<h1>Numbers near singular points</h1>\n<p>{} of {} cases are sound, at {} settings.</p>\n",
+                        sound, results.size(), points);
+    page += explanation;
+    page +=
+        "<table><tr><th>row</th><th>case</th><th>knob</th><th>worst error</th><th>condition there</th>"
+        "<th>worst error / condition</th><th>limit</th><th>verdict</th></tr>\n";
+    for (const StiffResult& r : results) {
+        page += fmt::format(
+            "<tr><td class=\"n\">{}</td><td><a href=\"#{}\">{}</a></td><td>{}: {}</td><td class=\"n\">{:.1e}</td>"
+            "<td class=\"n\">{:.1e}</td><td class=\"n\">{:.2g}</td><td class=\"n\">{:g}</td><td{}>{}</td></tr>\n",
+            r.of->row, r.of->name, r.of->name, xml_text(r.of->knob), range_text(*r.of), r.worst.finding.error,
+            r.worst.finding.condition, r.ratio, r.limit, r.sound ? "" : " class=\"bad\"",
+            r.sound ? "sound" : "UNSOUND");
+    }
+    page += "</table>\n<h2>Rows without a case</h2>\n<ul>\n";
+    for (const UntestedRow& row : untested_rows())
+        page += fmt::format("<li>{}, {}: {}</li>\n", row.row, xml_text(row.subject), xml_text(row.why));
+    page += "</ul>\n<h2>Error against stiffness</h2>\n<div class=\"plots\">\n";
+    for (const StiffResult& r : results)
+        page += fmt::format(
+            "<figure id=\"{}\">\n{}<figcaption class=\"soft\">Row {}. Compared: {}. Reference: "
+            "{}.</figcaption></figure>\n",
+            r.of->name, plot_svg(stiff_plot(r)), r.of->row, xml_text(r.of->results), xml_text(r.of->reference));
+    return page + "</div>\n</body></html>\n";
+}
+
+}  // namespace pol::verify
