@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solves a plane boundary between any two media for one incident wave. boundary.h says what the result means,
-// boundary_systems.h has the equations.
+// Solves a plane boundary between any two media for one incident wave.
+// boundary.h says what the result means, boundary_systems.h has the equations.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,8 @@
 
 namespace pol {
 
-/// True if a wave cannot tell the media apart: equal constants, optic axes equal but for their sign.
+/// True if a wave cannot tell the media apart: equal constants, optic axes
+/// equal but for their sign.
 template <class Real>
 bool same_matter(const Dielectric<Real>& a, const Dielectric<Real>& b) {
     return a.kind == b.kind && a.n == b.n && a.n_e == b.n_e && a.kappa == b.kappa &&
@@ -21,7 +22,8 @@ bool same_matter(const Dielectric<Real>& a, const Dielectric<Real>& b) {
 
 namespace detail {
 
-/// Describes the incident wave; flux <= 0 if it does not come to the boundary. `face` is read for crystal modes only.
+/// Describes the incident wave; flux <= 0 if it does not come to the boundary.
+/// `face` is read for crystal modes only.
 template <class Real>
 Incidence<Real> describe_incidence(const IncidenceFrame<Real>& frame, const Dielectric<Real>& medium,
                                    const CrystalFace<Real>& face, const Wave<Real>& wave) {
@@ -53,15 +55,18 @@ Incidence<Real> describe_incidence(const IncidenceFrame<Real>& frame, const Diel
 template <class Real>
 CrystalRoots<Real> reflected_roots(const CrystalFace<Real>& face, WaveKind incident, const Real& q) {
     if (incident == WaveKind::extraordinary) return crystal_roots_of_reflected_e(face, q);
-    return crystal_roots(face, q * q, Real(-1));  // the root of q^2 is q to the last bit
+    return crystal_roots(face, q * q,
+                         Real(-1));  // the root of q^2 is q to the last bit
 }
 
 template <class Real>
-void respond_from_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& incidence, WaveKind kind,
+void respond_from_crystal(BoundaryResponse<Real>& response, Incidence<Real> incidence, WaveKind kind,
                           const Dielectric<Real>& medium1, const CrystalFace<Real>& face1,
                           const Dielectric<Real>& medium2) {
     const CrystalRoots<Real> roots1 = reflected_roots(face1, kind, incidence.frame.q);
     const bool real1 = roots1.o_propagates && roots1.e_propagates;
+    incidence.split = split_off_mirror(face1, roots1, kind, incidence.frame.q, incidence.mode[0]);
+    if (incidence.split.done) incidence.mode[0] = incidence.split.rest;
     if (medium2.kind == MediumKind::uniaxial) {
         const CrystalFace<Real> face2 = crystal_face(medium2, incidence.frame);
         const CrystalRoots<Real> roots2 = crystal_roots(face2, incidence.gap(medium2.n), Real(1));
@@ -84,7 +89,8 @@ void respond_from_crystal(BoundaryResponse<Real>& response, const Incidence<Real
 
 }  // namespace detail
 
-/// As `respond`, but waves that carry exactly nothing stay in the list: for tables.
+/// As `respond`, but waves that carry exactly nothing stay in the list: for
+/// tables.
 template <class Real>
 BoundaryResponse<Real> respond_in_full(const Dielectric<Real>& medium1, const Dielectric<Real>& medium2,
                                        const Vec3<Real>& normal, const Wave<Real>& incident) {
@@ -123,14 +129,17 @@ BoundaryResponse<Real> respond_in_full(const Dielectric<Real>& medium1, const Di
     return response;
 }
 
-/// All propagating waves that leave the boundary, with flux-normalised amplitudes for each mode of the incident wave.
+/// All propagating waves that leave the boundary, with flux-normalised
+/// amplitudes for each mode of the incident wave.
 ///
-/// `normal` points from medium 1 to medium 2. The wave is incident if it brings energy to the boundary, whatever the
-/// sign of k.normal. Media in contact that are the same matter let it pass unchanged, in exactly one child. Exactly
+/// `normal` points from medium 1 to medium 2. The wave is incident if it brings
+/// energy to the boundary, whatever the sign of k.normal. Media in contact that
+/// are the same matter let it pass unchanged, in exactly one child. Exactly
 /// critical waves carry exactly nothing and are left out.
 ///
-/// Requires: `normal` is unit; medium 1 is no conductor; `incident` is a wave of medium 1, a pair only where the medium
-/// has pairs (isotropic, or k along the optic axis).
+/// Requires: `normal` is unit; medium 1 is no conductor; `incident` is a wave
+/// of medium 1, a pair only where the medium has pairs (isotropic, or k along
+/// the optic axis).
 template <class Real>
 BoundaryResponse<Real> respond(const Dielectric<Real>& medium1, const Dielectric<Real>& medium2,
                                const Vec3<Real>& normal, const Wave<Real>& incident) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations of a plane boundary, one function per pair of media (physics.md 2.1 to 2.7). Use respond() of
-// boundary_solver.h.
+// The equations of a plane boundary, one function per pair of media
+// (physics.md 2.1 to 2.7). Use respond() of boundary_solver.h.
 //
-// Isotropic dielectric or conductor behind an isotropic medium: Fresnel. With a crystal on one side, the two amplitudes
-// on the isotropic side are eliminated by hand and a 2x2 system in the crystal's amplitudes remains; crystal against
-// crystal is a 4x4 system. Systems are real unless a wave is evanescent. What is continuous are the tangential fields
-// E_x, E_y, H_x, H_y in the frame of incidence.
+// Isotropic dielectric or conductor behind an isotropic medium: Fresnel. With a
+// crystal on one side, the two amplitudes on the isotropic side are eliminated
+// by hand and a 2x2 system in the crystal's amplitudes remains; crystal against
+// crystal is a 4x4 system. Systems are real unless a wave is evanescent. What
+// is continuous are the tangential fields E_x, E_y, H_x, H_y in the frame of
+// incidence.
 #pragma once
 
 #include <array>
@@ -17,6 +19,7 @@
 #include "optics/fresnel.h"
 #include "optics/incidence_frame.h"
 #include "optics/linear_solve.h"
+#include "optics/mirror_split.h"
 #include "optics/uniaxial_modes.h"
 
 namespace pol {
@@ -27,10 +30,11 @@ namespace detail {
 template <class Real>
 struct Incidence {
     IncidenceFrame<Real> frame{};
-    Real index{};  ///< |k|
-    Real flux{};   ///< energy flux to the boundary of each mode, unit E
-    std::array<LocalMode<Real, Real>, 2> mode{};
+    Real index{};                                 ///< |k|
+    Real flux{};                                  ///< energy flux to the boundary of each mode, unit E
+    std::array<LocalMode<Real, Real>, 2> mode{};  ///< what the boundary is solved for
     std::size_t modes = 1;
+    MirrorSplit<Real> split{};  ///< if done, mode[0] is the rest without the mirror wave's share
 
     /// n^2 - k_t^2 for an index n on the other side, from the incident q.
     [[nodiscard]] Real gap(const Real& n) const { return (n - index) * (n + index) + frame.q * frame.q; }
@@ -41,7 +45,8 @@ LocalMode<Real, Scalar> lifted(const LocalMode<Real, Real>& m) {
     return {{Scalar(m.e.x), Scalar(m.e.y), Scalar(m.e.z)}, Scalar(m.h_x), Scalar(m.h_y), m.flux};
 }
 
-/// The two modes that leave into a crystal: s and p of the pair along the optic axis, else o and e.
+/// The two modes that leave into a crystal: s and p of the pair along the optic
+/// axis, else o and e.
 template <class Scalar, class Real>
 std::array<LocalMode<Real, Scalar>, 2> crystal_modes(const Dielectric<Real>& crystal, const CrystalFace<Real>& face,
                                                      const CrystalRoots<Real>& roots) {
@@ -73,7 +78,8 @@ Wave<Real> pair_wave(const Vec3<Real>& k, const Real& n, const Vec3<Real>& s) {
     return {WaveKind::pair, k, direction, {s, cross(direction, s)}};
 }
 
-/// Amplitudes of the two outgoing modes of one side, per incident mode: amplitude[column][mode].
+/// Amplitudes of the two outgoing modes of one side, per incident mode:
+/// amplitude[column][mode].
 template <class Scalar>
 using Amplitudes = std::array<std::array<Scalar, 2>, 2>;
 
@@ -114,6 +120,19 @@ void add_crystal_waves(BoundaryResponse<Real>& response, Side side, const Dielec
     }
 }
 
+/// The waves reflected into the crystal of the incident wave, less the mirror
+/// wave's share.
+template <class Real, class Scalar>
+void add_reflected(BoundaryResponse<Real>& response, const Dielectric<Real>& crystal, const Incidence<Real>& incidence,
+                   const CrystalRoots<Real>& roots, const std::array<LocalMode<Real, Scalar>, 2>& modes,
+                   Amplitudes<Scalar> amplitude) {
+    if (incidence.split.done) {
+        Scalar& mirror = amplitude[0][incidence.split.mirror];
+        mirror = mirror - Scalar(incidence.split.share);
+    }
+    add_crystal_waves(response, Side::reflected, crystal, incidence, roots, modes, amplitude);
+}
+
 template <class Real>
 void add_pair(BoundaryResponse<Real>& response, Side side, const IncidenceFrame<Real>& frame, const Real& q,
               const Real& n, const std::array<std::array<Complex<Real>, 2>, 2>& amplitude) {
@@ -140,9 +159,12 @@ void meet_isotropic(BoundaryResponse<Real>& response, const Incidence<Real>& inc
                    {{{Complex<Real>(f.t_s), zero}, {zero, Complex<Real>(f.t_p)}}});
 }
 
-/// Isotropic to crystal. With the reflected amplitudes eliminated, the transmitted ones are q u, where
-///     sum_j u_j (q E_y - H_x)_j = 2 a_s,     sum_j u_j (n^2 E_x + q H_y)_j = -2 n a_p,
-/// and the reflected b_s = 1/2 sum u_j (q E_y + H_x)_j, b_p = 1/2 sum u_j (n E_x - (q/n) H_y)_j: no division by q.
+/// Isotropic to crystal. With the reflected amplitudes eliminated, the
+/// transmitted ones are q u, where
+///     sum_j u_j (q E_y - H_x)_j = 2 a_s,     sum_j u_j (n^2 E_x + q H_y)_j =
+///     -2 n a_p,
+/// and the reflected b_s = 1/2 sum u_j (q E_y + H_x)_j, b_p = 1/2 sum u_j (n
+/// E_x - (q/n) H_y)_j: no division by q.
 template <class Scalar, class Real>
 void enter_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& incidence, const Dielectric<Real>& crystal,
                    const CrystalFace<Real>& face, const CrystalRoots<Real>& roots) {
@@ -173,8 +195,9 @@ void enter_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
     add_crystal_waves(response, Side::transmitted, crystal, incidence, roots, modes, u);
 }
 
-/// Crystal to isotropic dielectric or conductor with normal wave vector component `q2` and permittivity `eps2`. With
-/// the transmitted b_s = E_y, b_p = -H_y/n2 eliminated, the total field on the crystal's side obeys
+/// Crystal to isotropic dielectric or conductor with normal wave vector
+/// component `q2` and permittivity `eps2`. With the transmitted b_s = E_y, b_p
+/// = -H_y/n2 eliminated, the total field on the crystal's side obeys
 ///     q2 E_y + H_x = 0,     eps2 E_x - q2 H_y = 0.
 template <class Scalar, class Real>
 void leave_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& incidence, const Dielectric<Real>& crystal,
@@ -195,7 +218,7 @@ void leave_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
         a[c] = {-(q2 * in.e.y + in.h_x), q2 * in.h_y - eps2 * in.e.x};
     }
     solve_2x2(m, a, static_cast<int>(incidence.modes));
-    add_crystal_waves(response, Side::reflected, crystal, incidence, roots, modes, a);
+    add_reflected(response, crystal, incidence, roots, modes, a);
 
     const bool absorbs = medium2.kind == MediumKind::conductor;
     if (!absorbs && q2_complex.im != Real(0)) return;
@@ -230,7 +253,8 @@ void leave_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
     add_pair(response, Side::transmitted, incidence.frame, q2_complex.re, medium2.n, inside);
 }
 
-/// Crystal to crystal: tangential E and H of incident and reflected waves equal those of the transmitted waves.
+/// Crystal to crystal: tangential E and H of incident and reflected waves equal
+/// those of the transmitted waves.
 template <class Scalar, class Real>
 void cross_crystals(BoundaryResponse<Real>& response, const Incidence<Real>& incidence,
                     const Dielectric<Real>& crystal1, const CrystalFace<Real>& face1, const CrystalRoots<Real>& roots1,
@@ -267,7 +291,7 @@ void cross_crystals(BoundaryResponse<Real>& response, const Incidence<Real>& inc
         reflected[c] = {rows[0][4 + c], rows[1][4 + c]};
         transmitted[c] = {rows[2][4 + c], rows[3][4 + c]};
     }
-    add_crystal_waves(response, Side::reflected, crystal1, incidence, roots1, back, reflected);
+    add_reflected(response, crystal1, incidence, roots1, back, reflected);
     add_crystal_waves(response, Side::transmitted, crystal2, incidence, roots2, on, transmitted);
 }
 

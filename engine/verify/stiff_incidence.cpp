@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases about the angle at which light arrives: normal, grazing, critical.
+// Stiff cases about the angle at which light arrives: normal, grazing,
+// critical.
 #include <cmath>
 
 #include "core/units.h"
@@ -12,8 +13,9 @@ namespace {
 
 const DVec3 oblique_axis = unit(DVec3(1.0, 2.0, 3.0));  // in the frame of the face: x, s, normal
 
-/// Largest tangential wave vector of an e wave of calcite behind a face, its axis in the frame of the face: where the
-/// discriminant of physics.md 2.5 vanishes.
+/// Largest tangential wave vector of an e wave of calcite behind a face, its
+/// axis in the frame of the face: where the discriminant of physics.md 2.5
+/// vanishes.
 double end_of_e_sheet(const DVec3& axis) {
     const Dielectric<double> crystal = calcite(axis);
     const double eps_o = crystal.n * crystal.n;
@@ -31,7 +33,8 @@ InterfaceSetup at_angle(const Dielectric<double>& from, const Dielectric<double>
     return {turned(from), turned(to), turn(face_normal), turn(polar_direction(incidence))};
 }
 
-/// `above` the plane of the face, exactly: nothing of the small angle is lost in a direction.
+/// `above` the plane of the face, exactly: nothing of the small angle is lost
+/// in a direction.
 InterfaceSetup grazing(const Dielectric<double>& from, const Dielectric<double>& to, double above) {
     return {from, to, face_normal, {std::cos(above), 0.0, std::sin(above)}};
 }
@@ -91,13 +94,17 @@ std::vector<StiffCase> stiff_incidence_cases() {
     const std::string above = "angle above the face [rad]";
     const std::string transmittance = "transmitted powers, each to its own size";
     std::vector<StiffCase> cases = {
-        {"normal-incidence", 7, "At normal incidence nothing depends on the plane of incidence, which is undefined",
+        {"normal-incidence", 7,
+         "At normal incidence nothing depends on the plane of incidence, which "
+         "is undefined",
          "angle of incidence [rad]", of_waves, same_formulas, and_zero(decades(-1, -17, 2)),
          [=](double angle, const Turn& turn) {
              return interface_experiment(at_angle(air, crystal, angle, turn), waves);
          },
          usual_turns},
-        {"normal-from-inside", 35, "A crystal wave along the normal leaves with its ray oblique and its k straight",
+        {"normal-from-inside", 35,
+         "A crystal wave along the normal leaves with its ray oblique and its k "
+         "straight",
          "angle of incidence [rad]", of_waves, same_formulas, and_zero(decades(-1, -17, 2)),
          [=](double angle, const Turn& turn) {
              return interface_experiment(at_angle(crystal, air, angle, turn), waves);
@@ -109,11 +116,30 @@ std::vector<StiffCase> stiff_incidence_cases() {
              return interface_experiment(grazing(air, make_isotropic(1.5), angle), InterfaceResults::transmitted_powers,
                                          Accuracy::relative);
          }},
-        {"grazing-crystal", 8, "Grazing light enters both waves of a crystal in proportion to the cosine", above,
-         transmittance, same_formulas, decades(-1, -16, 2),
+        {"grazing-crystal", 8,
+         "Grazing light enters both waves of a crystal in proportion to the "
+         "cosine",
+         above, transmittance, same_formulas, decades(-1, -16, 2),
          [=](double angle, const Turn&) {
              return interface_experiment(grazing(air, crystal, angle), InterfaceResults::transmitted_powers,
                                          Accuracy::relative);
+         }},
+        {"grazing-inside-crystal", 8,
+         "Light that grazes a face from inside a crystal leaves in proportion to "
+         "the cosine",
+         above, transmittance, same_formulas, decades(-1, -16, 2),
+         [](double angle, const Turn&) {
+             return interface_experiment(grazing(calcite({0.6, 0.8, 0.0}), make_isotropic(1.8), angle),
+                                         InterfaceResults::transmitted_powers, Accuracy::relative);
+         }},
+        {"grazing-twin", 8,
+         "Light that grazes the seam of two crystals crosses it in proportion to "
+         "the cosine",
+         above, transmittance, same_formulas, decades(-1, -16, 2),
+         [](double angle, const Turn&) {
+             return interface_experiment(
+                 grazing(calcite({0.6, 0.8, 0.0}), make_uniaxial(1.8, 1.9, DVec3(1.0, 2.0, 3.0)), angle),
+                 InterfaceResults::transmitted_powers, Accuracy::relative);
          }},
         {"backward-wave-normal", 13, "Energy decides what arrives, also where the wave normal points away",
          "angle of the wave normal behind the face [rad]", of_waves, same_formulas, and_zero(decades(-1, -16, 2)),
@@ -122,7 +148,9 @@ std::vector<StiffCase> stiff_incidence_cases() {
              return interface_experiment(at_angle(strong, air, 0.5 * pi + angle, turn), waves);
          },
          usual_turns},
-        {"mirror-frames", 38, "Near normal incidence a mirror turns p over and leaves s, whatever s is",
+        {"mirror-frames", 38,
+         "Near normal incidence a mirror turns p over and leaves s, whatever s "
+         "is",
          "angle of incidence [rad]", "sum of the fields, both sides", same_formulas, and_zero(decades(-1, -17, 2)),
          [](double angle, const Turn& turn) {
              return interface_experiment(at_angle(air, make_conductor(0.3, 2.8), angle, turn),
