@@ -112,7 +112,10 @@ void Interface::draw_left(Session& session) {
 void Interface::draw_tabs(Session& session, Frame& /*frame*/, Stack stack) {
     if (!ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) return;
     const bool upper = stack != Stack::lower;
+    const bool lower = stack != Stack::upper;
     tab(upper, "Pixel", [&] { pixel_.draw(session); });
+    tab(lower, "Paths", [&] { paths_.draw(session); });
+    tab(lower, "Table", [&] { rays_.draw(session); });
     ImGui::EndTabBar();
 }
 

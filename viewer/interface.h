@@ -9,8 +9,10 @@
 #include "viewer/panels/log_panel.h"
 #include "viewer/panels/maps_panel.h"
 #include "viewer/panels/open_dialog.h"
+#include "viewer/panels/paths_panel.h"
 #include "viewer/panels/picture_panel.h"
 #include "viewer/panels/pixel_panel.h"
+#include "viewer/panels/ray_table_panel.h"
 #include "viewer/panels/welcome.h"
 #include "viewer/session.h"
 
@@ -35,6 +37,8 @@ private:
     MapsPanel maps_;
     PicturePanel picture_;
     PixelPanel pixel_;
+    PathsPanel paths_;
+    RayTablePanel rays_;
     Welcome welcome_;
     LogPanel log_;
     CommandPalette palette_;

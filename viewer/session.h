@@ -15,6 +15,7 @@
 #include "viewer/export_queue.h"
 #include "viewer/log.h"
 #include "viewer/selection.h"
+#include "viewer/sheet_settings.h"
 #include "viewer/shown_map.h"
 #include "viewer/view_settings.h"
 #include "viewer/view_transform.h"
@@ -76,6 +77,7 @@ public:
     ViewSettings view;
     ViewTransform transform;
     Selection selection;
+    SheetSettings sheet;  ///< how the inspector writes a pixel
     Bench bench;
     ShownMap shown_map;  ///< values behind the picture; update() keeps it
     Log log;

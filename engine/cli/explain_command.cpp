@@ -2,6 +2,8 @@
 #include "cli/explain_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,9 +11,12 @@
 #include <fmt/format.h>
 
 #include "cli/explain_report.h"
+#include "cli/ray_table.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
+#include "io/output_file.h"
 #include "tracer/explain.h"
+#include "verify/pixel_case.h"
 
 namespace pol {
 
@@ -24,7 +29,12 @@ struct ExplainRequest {
     std::optional<double> wavelength_nm;
     double least_share = 1e-3;
     bool json = false;
+    bool is_case = false;  ///< SCENE is a pixel case
+    std::string csv;
+    std::string obj;
 };
+
+constexpr int self_check_failed = 5;
 
 /// The plan's wavelength that was asked for; without one 580 nm, the paper's, or the first.
 Result<int> wavelength_index(const Plan& plan, std::optional<double> asked_nm) {
@@ -40,7 +50,72 @@ Result<int> wavelength_index(const Plan& plan, std::optional<double> asked_nm) {
                  fmt::format("add --wavelengths {}", *asked_nm)};
 }
 
+Result<Done> write_text(const std::string& path, const std::string& text) {
+    auto file = OutputFile::create(path);
+    if (!file) return file.error();
+    file.value()->write(text.data(), text.size());
+    return file.value()->commit();
+}
+
+/// What speaks against the files asked for, before anything is traced.
+std::optional<Error> unusable_output(const ExplainRequest& request) {
+    if (!request.csv.empty())
+        if (auto problem = output_problem(request.csv, ".csv", {request.scene.scene})) return problem;
+    if (!request.obj.empty()) return output_problem(request.obj, ".obj", {request.scene.scene, request.csv});
+    return std::nullopt;
+}
+
+/// Prints and writes what was asked for; returns the exit code.
+int show(const ExplainRequest& request, const Plan& plan, const Explanation& explanation) {
+    fmt::print("{}", request.json ? explanation_as_json(plan, explanation)
+                                  : explanation_as_text(plan, explanation, request.least_share));
+    if (!request.csv.empty())
+        if (const auto done = write_text(request.csv, ray_table_as_csv(plan, explanation)); !done)
+            return report(done.error());
+    if (!request.obj.empty())
+        if (const auto done = write_text(request.obj, paths_as_obj(plan, explanation)); !done)
+            return report(done.error());
+    return explanation.result.failures == 0 && explanation.exact() ? 0 : self_check_failed;
+}
+
+/// An option that a pixel case leaves nothing to say to: the case names its pixel, and its scene has the settings.
+std::optional<Error> idle_option(const CLI::App& command) {
+    constexpr std::array useful{"--case", "--csv", "--obj", "--least", "--help", "SCENE"};
+    for (const CLI::Option* option : command.get_options())
+        if (option->count() > 0 && std::find(useful.begin(), useful.end(), option->get_name()) == useful.end())
+            return Error{ErrorKind::usage,
+                         "the case says that itself",
+                         {},
+                         option->get_name(),
+                         "leave it out, or change it in the case file"};
+    return std::nullopt;
+}
+
+int run_case(const ExplainRequest& request) {
+    const auto loaded = load_pixel_case(request.scene.scene);
+    if (!loaded) return report(loaded.error());
+    const PixelCase& pixel_case = loaded.value();
+    const auto verdict = check(pixel_case);
+    if (!verdict) return report(verdict.error());
+    const auto line = [](const char* name, const CoherenceMatrix<double>& j) {
+        fmt::print("{} xx {:.17g}  yy {:.17g}  xy {:.17g} {:+.17g} i\n", name, j.xx, j.yy, j.xy.re, j.xy.im);
+    };
+    line("expected", pixel_case.expected);
+    line("computed", verdict.value().computed);
+    const bool same = verdict.value().computed == pixel_case.expected;
+    fmt::print("the case {}: {}\n\n", verdict.value().holds ? "holds" : "DOES NOT HOLD",
+               same ? std::string("equal to the last bit")
+                    : fmt::format("differs by {:.3g}, allowed {:.3g}", verdict.value().difference,
+                                  pixel_case.tolerance * trace(pixel_case.expected)));
+    const int shown = show(request, *verdict.value().plan, verdict.value().explanation);
+    return verdict.value().holds ? shown : self_check_failed;
+}
+
 int run(const ExplainRequest& request) {
+    if (const auto problem = unusable_output(request)) return report(*problem);
+    if (request.is_case) return run_case(request);
+    if (request.pixel.empty())
+        return report({ErrorKind::usage, "which pixel?", {}, "--pixel", "for example --pixel 256,200"});
     const auto loaded = load_plan(request.scene);
     if (!loaded) return report(loaded.error());
     const Plan& plan = *loaded.value().plan;
@@ -63,10 +138,7 @@ int run(const ExplainRequest& request) {
     const auto wavelength = wavelength_index(plan, request.wavelength_nm);
     if (!wavelength) return report(wavelength.error());
     const Explanation explanation = explain(plan, x, y, static_cast<std::uint32_t>(request.sample), wavelength.value());
-    fmt::print("{}", request.json ? explanation_as_json(plan, explanation)
-                                  : explanation_as_text(plan, explanation, request.least_share));
-    constexpr int self_check_failed = 5;
-    return explanation.result.failures == 0 && explanation.exact() ? 0 : self_check_failed;
+    return show(request, plan, explanation);
 }
 
 }  // namespace
@@ -76,8 +148,7 @@ void add_explain_command(CLI::App& app, int& exit_code) {
     CLI::App* command =
         app.add_subcommand("explain", "Show a pixel's coherence matrix and the backward tree that made it");
     add_scene_options(*command, request->scene);
-    command->add_option("--pixel", request->pixel, "Pixel X,Y; 0,0 is top left")
-        ->required()
+    command->add_option("--pixel", request->pixel, "Pixel X,Y; 0,0 is top left (needed without --case)")
         ->delimiter(',')
         ->expected(2);
     command->add_option("--sample", request->sample, "Sample of the pixel; 0 is its centre");
@@ -86,11 +157,21 @@ void add_explain_command(CLI::App& app, int& exit_code) {
     command->add_option("--least", request->least_share, "Leave out branches of less than this weight (text only)")
         ->capture_default_str();
     command->add_flag("--json", request->json, "Print JSON with every branch at full precision");
+    command->add_option("--csv", request->csv, "Also write a table of ray states, one line per segment (*.csv)");
+    command->add_option("--obj", request->obj, "Also write the paths as lines in space (*.obj)");
+    command->add_flag(
+        "--case", request->is_case,
+        "SCENE is a pixel case (see assets/cases/README.md): check its matrix again; exit code 5 if it differs");
     command->footer(
         "Examples:\n"
         "  polariscope explain assets/scenes/cube-calcite.yaml --pixel 256,200\n"
-        "  polariscope explain assets/scenes/cube-calcite.yaml --pixel 256,200 --json > tree.json");
-    command->callback([request, &exit_code] { exit_code = run(*request); });
+        "  polariscope explain assets/scenes/cube-calcite.yaml --pixel 256,200 --json > tree.json\n"
+        "  polariscope explain assets/scenes/cube-calcite.yaml --pixel 256,200 --csv rays.csv --obj rays.obj\n"
+        "  polariscope explain --case assets/cases/brewster.yaml");
+    command->callback([request, command, &exit_code] {
+        const auto problem = request->is_case ? idle_option(*command) : std::nullopt;
+        exit_code = problem ? report(*problem) : run(*request);
+    });
 }
 
 }  // namespace pol

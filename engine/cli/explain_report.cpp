@@ -11,64 +11,13 @@
 #include "maps/error_bars.h"
 #include "polarization/coherence_matrix.h"
 #include "polarization/measures.h"
+#include "tracer/tree_names.h"
 
 namespace pol {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* name_of(Interaction interaction) {
-    switch (interaction) {
-        case Interaction::camera:
-            return "camera";
-        case Interaction::reflected:
-            return "reflected";
-        case Interaction::transmitted:
-            return "transmitted";
-        case Interaction::sheet:
-            return "through sheet";
-    }
-    return "";
-}
-
-const char* name_of(LeafReason reason) {
-    switch (reason) {
-        case LeafReason::emitter:
-            return "emitter";
-        case LeafReason::background:
-            return "background";
-        case LeafReason::absorbed:
-            return "absorbed";
-        case LeafReason::residual:
-            return "residual (--residual)";
-        case LeafReason::depth:
-            return "residual (--depth)";
-        case LeafReason::node_budget:
-            return "residual (--node-budget), left to the random tail";
-        case LeafReason::tail_limit:
-            return "residual (tail too long)";
-        case LeafReason::failure:
-            return "numerical failure";
-    }
-    return "";
-}
-
-const char* mode_of(const Wave<double>& wave) {
-    switch (wave.kind) {
-        case WaveKind::pair:
-            return "s/p";
-        case WaveKind::ordinary:
-            return "o";
-        case WaveKind::extraordinary:
-            return "e";
-    }
-    return "";
-}
-
-std::string medium_of(const Plan& plan, int region) {
-    return plan.medium_names[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium)];
-}
 
 /// Error bars of the sample as of a picture with this one pixel.
 std::optional<MeasureBounds<double>> bars_of(const Plan& plan, const Explanation& e) {
@@ -150,8 +99,8 @@ void write_branch(std::string& out, const Plan& plan, const Explanation& e, int 
     auto to = std::back_inserter(out);
     const std::string pad(static_cast<std::size_t>(2 * indent), ' ');
     fmt::format_to(to, "{}#{} {} in {}, {}, n = {:.6f}, weight {:.6g}{}\n", pad, index, name_of(node.interaction),
-                   medium_of(plan, node.start.region), mode_of(node.start.wave), std::sqrt(length2(node.start.wave.k)),
-                   node.start.weight, node.estimated ? "  (random tail)" : "");
+                   medium_name(plan, node.start.region), mode_of(node.start.wave), index_of(node), node.start.weight,
+                   node.estimated ? "  (random tail)" : "");
     fmt::format_to(to, "{}   ray {}  k {}\n", pad, text_of(node.start.wave.ray), text_of(node.start.wave.k));
     fmt::format_to(to, "{}   to the camera {}\n", pad,
                    text_of(node.start.throughput, node.start.wave.kind != WaveKind::pair));
@@ -191,9 +140,9 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
     out["parent"] = node.parent;
     out["interaction"] = name_of(node.interaction);
     out["depth"] = node.start.depth;
-    out["medium"] = medium_of(plan, node.start.region);
+    out["medium"] = medium_name(plan, node.start.region);
     out["mode"] = mode_of(wave);
-    out["index"] = std::sqrt(length2(wave.k));
+    out["index"] = index_of(node);
     out["origin"] = json_of(node.start.origin);
     out["k"] = json_of(wave.k);
     out["ray"] = json_of(wave.ray);

@@ -13,6 +13,7 @@ from pathlib import Path
 PROGRAM = str(Path(sys.argv[1]).resolve()) if len(sys.argv) > 1 else ""
 REPOSITORY = Path(__file__).resolve().parents[2]
 SCENES = REPOSITORY / "assets" / "scenes"
+CASES = REPOSITORY / "assets" / "cases"
 PATIENCE_S = 300  # a sanitizer on a busy machine
 
 CAMERA = "camera: {position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 30}\n"

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """From a scene to pictures and reports: what the commands hand to people and to other programs."""
 
+import csv
 import json
 import math
 import re
 import unittest
 
-from program import REPOSITORY, SCENES, ProgramTest, main
+from program import CASES, REPOSITORY, SCENES, ProgramTest, main
 
 GLASS = SCENES / "cube-glass.yaml"
 CALCITE = SCENES / "cube-calcite.yaml"
@@ -122,6 +123,79 @@ class Explain(ProgramTest):
         for word in ("coherence matrix", "frame", "S3", "polarization", "ellipticity", "azimuth", "handedness", "truth in",
                      "to the last bit", "weight", "deg", "ray", "k (", "ends:"):
             self.assertIn(word, text)
+
+
+    def test_ray_states_are_those_of_the_json_tree(self):
+        scene = SCENES / "cube-calcite.yaml"
+        tree = json.loads(self.succeed("explain", scene, "--pixel", "256,200", "--json", "--csv", "rays.csv", "--obj",
+                                       "rays.obj"))
+        with open(self.folder / "rays.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(tree["nodes"]))
+        for row, node in zip(rows, tree["nodes"]):
+            self.assertEqual(int(row["#"]), node["id"])
+            self.assertEqual(int(row["parent"]), node["parent"])
+            self.assertEqual([float(row[k]) for k in ("k_x", "k_y", "k_z")], node["k"])
+            self.assertEqual([float(row[k]) for k in ("S0", "S1", "S2", "S3")], node["share"])
+            self.assertEqual(float(row["weight"]), node["weight"])
+            self.assertEqual((row["medium"], row["mode"]), (node["medium"], node["mode"]))
+            self.assertEqual([row[k] == "" for k in "XYZ"], ["point" not in node] * 3)
+            if "point" in node:
+                self.assertEqual([float(row[k]) for k in "XYZ"], node["point"])
+                # The light's path to this point, one index times one length after the other.
+                length, at = 0.0, node
+                while True:
+                    length += sum((b - a) * k for a, b, k in zip(at["origin"], at["point"], at["k"]))
+                    if at["parent"] < 0:
+                        break
+                    at = tree["nodes"][at["parent"]]
+                self.assertAlmostEqual(float(row["OPL"]), length, delta=1e-12 * abs(length))
+            first = node["matrix"][0][0]
+            self.assertEqual([float(row["M_x1_re"]), float(row["M_x1_im"])], first)
+
+        lines = (self.folder / "rays.obj").read_text().splitlines()
+        vertices = [list(map(float, line.split()[1:])) for line in lines if line.startswith("v ")]
+        segments, group = {}, None
+        for line in lines:
+            if line.startswith("g "):
+                group = line[2:]
+            elif line.startswith("l "):
+                a, b = map(int, line.split()[1:])
+                segments[b - 2] = (group, vertices[a - 1], vertices[b - 1])
+        self.assertEqual(sorted(segments), [node["id"] for node in tree["nodes"]])
+        for node in tree["nodes"]:
+            group, start, end = segments[node["id"]]
+            for a, b in zip(start, node["origin"]):
+                self.assertAlmostEqual(a, b, delta=1e-12)
+            if "point" in node:
+                self.assertEqual(end, node["point"])
+            if group in ("o", "e"):
+                self.assertEqual(node["mode"], group)
+
+    def test_a_pixel_case_holds_or_says_by_how_much_it_does_not(self):
+        case = CASES / "brewster.yaml"
+        self.assertIn("the case holds", self.succeed("explain", "--case", case))
+        text = case.read_text()
+        wrong = self.write("wrong.yaml", text.replace("0.0739", "0.0738"))
+        done = self.run_program("explain", "--case", wrong)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("DOES NOT HOLD: differs by 0.0001", done.stdout)
+        self.refuse(2, ["--pixel", "the case says that itself"], "explain", "--case", case, "--pixel", "1,1")
+        self.refuse(2, ["--residual"], "explain", "--case", case, "--residual", "0.1")
+        self.refuse(3, ["no line '---'"], "explain", "--case", SCENES / "cube-glass.yaml")
+        misspelt = self.write("misspelt.yaml", text.replace("medium: glass", "medium: glas"))
+        line = 1 + text.splitlines().index("    medium: glass")
+        self.refuse(3, [f"misspelt.yaml:{line}:", "did you mean 'glass'?"], "explain", "--case", misspelt)
+        outside = self.write("outside.yaml", text.replace("pixel: [1, 1]", "pixel: [3, 1]"))
+        self.refuse(3, ["outside.yaml:3:8", "no such pixel"], "explain", "--case", outside)
+        infinite = self.write("infinite.yaml", text.replace("yy: 0", "yy: .inf"))
+        self.refuse(3, ["infinite.yaml:6"], "explain", "--case", infinite)
+
+    def test_every_case_that_ships_holds(self):
+        cases = sorted(CASES.glob("*.yaml"))
+        self.assertTrue(cases)
+        for case in cases:
+            self.succeed("explain", "--case", case)
 
 
 class Interface(ProgramTest):

@@ -3,18 +3,162 @@
 
 #include <imgui.h>
 
+#include <string>
+
+#include "core/units.h"
+#include "viewer/pixel_export.h"
+#include "viewer/pixel_sheet.h"
+#include "viewer/reading_text.h"
+#include "viewer/widgets/copyable.h"
+#include "viewer/widgets/polarization_ellipse.h"
+#include "viewer/widgets/spectrum_plot.h"
+
 namespace pol {
 
+namespace {
+
+template <class Value>
+void choose(const char* label, Value& value, const char* const* names, int count, const char* help) {
+    int index = static_cast<int>(value);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0F);
+    if (ImGui::Combo(label, &index, names, count)) value = static_cast<Value>(index);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+}
+
+/// The pixels that were pinned, the last one at the end: a click goes back.
+void draw_pins(Session& session) {
+    const Selection& selection = session.selection;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    std::optional<PixelAddress> chosen;
+    for (std::size_t i = 0; i < selection.pins.size(); ++i) {
+        const PixelAddress pin = selection.pins[i];
+        const std::string name = std::to_string(pin.x) + "," + std::to_string(pin.y);
+        const bool is_current = static_cast<int>(i) == selection.current;
+        const float width = ImGui::CalcTextSize(name.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+        if (i > 0 && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width < right) ImGui::SameLine();
+        ImGui::PushID(static_cast<int>(i));
+        if (is_current) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        if (ImGui::SmallButton(name.c_str())) chosen = pin;
+        if (is_current) ImGui::PopStyleColor();
+        ImGui::PopID();
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip(is_current ? "The pinned pixel: arrow keys move it, Esc releases it"
+                                         : "Back to this pixel");
+    }
+    if (chosen) session.pin(*chosen);
+}
+
+void draw_frame_choice(SheetSettings& settings) {
+    constexpr const char* frames[] = {"camera", "scene x axis", "scene y axis", "scene z axis", "own angle"};
+    choose("Frame", settings.frame, frames, 5, "Axes that matrix, Stokes vector and azimuth are written in");
+    if (settings.frame == FrameChoice::own_angle) {
+        auto angle = static_cast<float>(degrees(settings.own_angle));
+        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0F);
+        if (ImGui::SliderFloat("Angle", &angle, -90.0F, 90.0F, "%.2f\u00b0"))
+            settings.own_angle = radians(static_cast<double>(angle));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("From the camera's x towards its y, for the receiver; Ctrl+click to type");
+    }
+}
+
+void draw_convention_choice(Convention& convention) {
+    constexpr const char* views[] = {"receiver: against the light", "source: along the light"};
+    constexpr const char* signs[] = {"right-handed", "left-handed"};
+    constexpr const char* times[] = {"exp(-i\u03c9t)", "exp(+i\u03c9t)"};
+    choose("Who looks", convention.viewpoint, views, 2, "Exchanges right and left, turns x, S2, S3 and azimuth round");
+    choose("S3 > 0 is", convention.positive_s3, signs, 2, "Sign of S3 and of the ellipticity angle");
+    choose("Time", convention.time_sign, times, 2, "The other sign conjugates the matrix; Stokes vectors stay");
+}
+
+void draw_matrix(const PixelSheet& sheet) {
+    const CoherenceMatrix<double>& j = sheet.matrix;
+    const auto& rows = sheet.groups.front().rows;
+    const std::string xy = exact_text(j.xy);
+    const std::string yx = exact_text(conj(j.xy));
+    const bool good = !rows[1].exact.empty() && !rows[2].exact.empty();
+    if (!ImGui::BeginTable("matrix", 3, ImGuiTableFlags_BordersOuter | ImGuiTableFlags_BordersInner)) return;
+    ImGui::TableSetupColumn("J", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("x", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("y", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableHeadersRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted("x");
+    ImGui::TableNextColumn();
+    copyable("xx", rows[0].exact.empty() ? rows[0].value : short_number(j.xx, 7), rows[0].exact, "J_xx = <E_x E_x*>");
+    ImGui::TableNextColumn();
+    copyable("xy", complex_text(j.xy), good ? xy : "", "J_xy = <E_x E_y*>");
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted("y");
+    ImGui::TableNextColumn();
+    copyable("yx", complex_text(conj(j.xy)), good ? yx : "", "J_yx, the conjugate of J_xy");
+    ImGui::TableNextColumn();
+    copyable("yy", rows[3].exact.empty() ? rows[3].value : short_number(j.yy, 7), rows[3].exact, "J_yy = <E_y E_y*>");
+    ImGui::EndTable();
+}
+
+void draw_group(const SheetGroup& group) {
+    if (!ImGui::CollapsingHeader(group.title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (!ImGui::BeginTable(group.title.c_str(), 3)) return;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("bar", ImGuiTableColumnFlags_WidthFixed);
+    for (const SheetRow& row : group.rows) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.name.c_str());
+        ImGui::TableNextColumn();
+        copyable(row.name.c_str(), row.value, row.exact, row.help);
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.bar.c_str());
+        if (!row.bar.empty() && ImGui::IsItemHovered())
+            ImGui::SetTooltip("The truth lies in this range: a rigorous bound from residual and tail");
+    }
+    ImGui::EndTable();
+}
+
+void draw_curves(Session& session) {
+    const std::vector<double>& wavelengths = session.current()->picture().wavelengths_nm;
+    if (wavelengths.size() < 2 || !ImGui::CollapsingHeader("Over wavelength", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    for (const SheetCurve& curve : spectrum_curves(session))
+        if (const auto clicked =
+                draw_spectrum_plot(curve, wavelengths, session.view.wavelength, ImGui::GetFontSize() * 4.0F))
+            session.view.wavelength = *clicked;
+}
+
+}  // namespace
+
 void PixelPanel::draw(Session& session) {
-    const auto pinned = session.selection.pinned();
-    if (!pinned || session.current() == nullptr) {
-        ImGui::TextDisabled("Click a pixel");
+    if (session.current() == nullptr || !session.selection.pinned()) {
+        ImGui::TextWrapped(
+            "Click a pixel of the picture: its coherence matrix and all that follows from it appear here.");
         return;
     }
-    const StokesImage& picture = session.current()->picture();
-    const Stokes<double> s = session.shown_stokes(session.view.wavelength, picture.pixel(pinned->x, pinned->y));
-    ImGui::Text("pixel %d,%d", pinned->x, pinned->y);
-    ImGui::Text("S0 %.9g\nS1 %.9g\nS2 %.9g\nS3 %.9g", s.s0, s.s1, s.s2, s.s3);
+    draw_pins(session);
+    const PixelSheet sheet = make_pixel_sheet(session);
+    ImGui::Text("Pixel %d,%d at %s nm%s", sheet.pixel.x, sheet.pixel.y, short_number(sheet.wavelength_nm, 7).c_str(),
+                session.bench.empty() ? "" : ", behind the bench");
+    if (sheet.from_tree) ImGui::TextDisabled("not rendered yet: one sample, from its tree");
+    if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(text_of(sheet).c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("All numbers of this page at full precision, as text");
+    ImGui::SameLine();
+    const bool can_be_case = session.explanation() != nullptr;
+    if (!can_be_case) ImGui::BeginDisabled();
+    if (ImGui::SmallButton("Save as test case")) save_pixel_case(session);
+    if (!can_be_case) ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("Scene, pixel and matrix as a file that polariscope explain --case checks again");
+
+    draw_matrix(sheet);
+    draw_frame_choice(session.sheet);
+    if (!sheet.trouble.empty()) ImGui::TextWrapped("%s", sheet.trouble.c_str());
+    ImGui::TextDisabled("%s", session.sheet.convention.text().c_str());
+    if (ImGui::TreeNode("Convention")) {
+        draw_convention_choice(session.sheet.convention);
+        ImGui::TreePop();
+    }
+    draw_polarization_ellipse(sheet.seen, ImGui::GetFontSize() * 10.0F);
+    for (std::size_t i = 1; i < sheet.groups.size(); ++i) draw_group(sheet.groups[i]);
+    draw_curves(session);
 }
 
 }  // namespace pol

@@ -5,7 +5,8 @@
 
 namespace pol {
 
-/// The pinned pixel in numbers.
+/// The pinned pixel in numbers: coherence matrix with its frame, Stokes vector, measures with error bars, the ellipse,
+/// curves over wavelength. Every number can be copied.
 class PixelPanel {
 public:
     void draw(Session& session);

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panels of a pixel as text, without GL: they say what explain says.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <limits>
+
+#include "cli/ray_table.h"
+#include "support/shipped_scenes.h"
+#include "viewer/known_picture.h"
+#include "viewer/panels/paths_panel.h"
+#include "viewer/panels/pixel_panel.h"
+#include "viewer/panels/ray_table_panel.h"
+#include "viewer/pixel_export.h"
+#include "viewer/pixel_sheet.h"
+#include "viewer/reading_text.h"
+#include "viewer/viewer_files.h"
+
+namespace pol {
+namespace {
+
+class Panels : public testing::Test {
+protected:
+    Panels() {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {400.0F, 2000.0F};
+        unsigned char* pixels = nullptr;
+        int width = 0;
+        int height = 0;
+        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    }
+    ~Panels() override { ImGui::DestroyContext(); }
+
+    /// What the panel shows in its third frame, as text; the first ones find out sizes.
+    template <class Panel>
+    std::string shown(Panel& panel) {
+        std::string text;
+        for (int i = 0; i < 3; ++i) {
+            ImGui::NewFrame();
+            ImGui::SetNextWindowPos({0.0F, 0.0F});
+            ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+            ImGui::Begin("panel");
+            ImGui::LogToClipboard(0);
+            panel.draw(session);
+            ImGui::LogFinish();
+            text = ImGui::GetClipboardText();
+            ImGui::End();
+            ImGui::Render();
+        }
+        return text;
+    }
+
+    /// Renders a scene to its end and explains one pixel of it.
+    void pin_in(Scene scene, PixelAddress pixel) {
+        ASSERT_TRUE(session.open_scene(std::move(scene), "test"));
+        test::finish(*session.current());
+        session.pin(pixel);
+        for (int i = 0; i < 5000 && !session.explanation(); ++i) {
+            session.update();
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        ASSERT_NE(session.explanation(), nullptr) << session.explanation_status().problem;
+    }
+
+    Session session;
+};
+
+void expect_says(const std::string& text, const std::string& what) {
+    EXPECT_NE(text.find(what), std::string::npos) << "no '" << what << "' in\n" << text;
+}
+
+// Linear light made circular, with the light that goes to and fro between the end faces: each round trip through the
+// rhomb adds half a wave, hence the signs of the two geometric series.
+TEST_F(Panels, TheRhombsPixelIsThatOfExplain) {
+    pin_in(test::small(test::shipped_scene("fresnel-rhomb"), 16), {8, 8});
+    const Explanation& e = *session.explanation();
+    ASSERT_TRUE(e.exact());
+    PixelPanel panel;
+    const std::string text = shown(panel);
+    const Measures<double> m = measure(e.sample_light);
+    expect_says(text, short_number(e.sample_light.s0, 9));
+    expect_says(text, short_number(e.sample_light.s3, 9));
+    expect_says(text, short_number(m.dop, 9));
+    expect_says(text, short_number(m.ellipticity, 9));
+    expect_says(text, m.handedness > 0 ? "right" : "left");
+    expect_says(text, "receiver's view");
+    const double r = std::pow((1.51 - 1.0) / (1.51 + 1.0), 2);
+    EXPECT_NEAR(e.sample_light.s0, (1.0 - r) * (1.0 - r) / (1.0 - r * r), 5e-6);
+    EXPECT_NEAR(std::abs(e.sample_light.s3), (1.0 - r) * (1.0 - r) / (1.0 + r * r), 5e-6);
+
+    const PixelSheet sheet = make_pixel_sheet(session);
+    EXPECT_EQ(sheet.stokes, e.sample_light) << "one sample: the picture is the explanation, bit for bit";
+    EXPECT_EQ(sheet.matrix, to_coherence(e.sample_light));
+    const std::string copied = text_of(sheet);
+    for (const double value : {sheet.matrix.xx, sheet.matrix.xy.re, sheet.matrix.xy.im, sheet.stokes.s3, m.dop})
+        expect_says(copied, fmt::format("{:.17g}", value));
+}
+
+TEST_F(Panels, FrameAndConventionRelabelEverything) {
+    pin_in(test::small(test::shipped_scene("fresnel-rhomb"), 16), {8, 8});
+    const PixelSheet before = make_pixel_sheet(session);
+    session.sheet.convention.viewpoint = Viewpoint::source;
+    const PixelSheet source = make_pixel_sheet(session);
+    EXPECT_EQ(source.stokes.s2, -before.stokes.s2);
+    EXPECT_EQ(source.stokes.s3, -before.stokes.s3);
+    EXPECT_EQ(source.measures.handedness, -before.measures.handedness);
+    EXPECT_EQ(source.seen.handedness, -before.seen.handedness);
+    PixelPanel panel;
+    expect_says(shown(panel), "source's view");
+
+    session.sheet = {};
+    session.sheet.frame = FrameChoice::own_angle;
+    session.sheet.own_angle = 0.3;
+    const PixelSheet turned = make_pixel_sheet(session);
+    const auto expected = rotate_basis(before.stokes, 0.3);
+    EXPECT_EQ(turned.stokes, expected);
+    EXPECT_EQ(turned.measures.dop, measure(expected).dop);
+    session.sheet.frame = FrameChoice::scene_x;  // the rhomb's camera looks along the x axis
+    expect_says(make_pixel_sheet(session).trouble, "along the ray");
+    session.sheet.frame = FrameChoice::scene_z;  // up in the picture: x lies along the camera's y
+    const PixelSheet z = make_pixel_sheet(session);
+    EXPECT_NEAR(z.stokes.s1, -before.stokes.s1, 1e-12);
+    expect_says(z.groups[1].rows[0].exact, ", 1)");
+}
+
+TEST_F(Panels, ABlackPixelHasNoLightAndNoDirection) {
+    Scene scene = test::scene_of(test::plate_scene(8, 8));
+    for (Object& object : scene.objects)
+        if (std::holds_alternative<Emission>(object.role)) object.role = Absorber{};
+    pin_in(std::move(scene), {4, 4});
+    PixelPanel panel;
+    const std::string text = shown(panel);
+    expect_says(text, "no light");
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    PathsPanel paths;
+    expect_says(shown(paths), "agree to the last bit");
+}
+
+TEST_F(Panels, ANanInAFileIsCalledOne) {
+    StokesImage image = known_picture();
+    image.stokes[image.pixel(3, 4)].s1 = std::numeric_limits<double>::quiet_NaN();
+    open_picture(session, image);
+    session.pin({3, 4});
+    session.update();
+    PixelPanel panel;
+    const std::string text = shown(panel);
+    expect_says(text, "not a number");
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+TEST_F(Panels, APictureWithoutASceneSaysSo) {
+    open_picture(session, known_picture());
+    session.pin({5, 8});
+    session.update();
+    PixelPanel pixel;
+    const std::string text = shown(pixel);
+    expect_says(text, "image right");
+    const Stokes<double> s = session.shown_stokes(0, session.current()->picture().pixel(5, 8));
+    expect_says(text, short_number(s.s2, 9));
+    expect_says(text, "\u00b1 ");  // the file has a residual
+    expect_says(text, "Over wavelength");
+    PathsPanel paths;
+    expect_says(shown(paths), "no scene to trace");
+    RayTablePanel rays;
+    expect_says(shown(rays), "no scene to trace");
+    session.sheet.frame = FrameChoice::scene_z;
+    expect_says(make_pixel_sheet(session).trouble, "no scene axes");
+}
+
+TEST_F(Panels, PathsAndTableShowTheNumbersOfTheTree) {
+    pin_in(test::small(test::shipped_scene("cube-calcite"), 32), {16, 14});
+    const Explanation& e = *session.explanation();
+    PathsPanel paths;
+    session.selection.node = 1;
+    std::string text = shown(paths);
+    expect_says(text, fmt::format("{:.17g}", e.leaf_sum.s0));
+    expect_says(text, fmt::format("of {} leaves", e.tree.leaves.size()));
+    expect_says(text, "Branch 1");
+    const RayTreeNode& node = e.tree.nodes[1];
+    expect_says(text, short_number(node.start.weight, 9));
+    expect_says(text, complex_text(node.start.throughput.m[0][0]));
+
+    RayTablePanel table;
+    ImGui::GetIO().DisplaySize = {4000.0F, 2000.0F};
+    text = shown(table);
+    const RayTable rays(*session.current()->plan(), e);
+    for (const RayTable::Column& column : RayTable::columns()) {
+        expect_says(text, std::string(column.name));
+        if (column.number != nullptr)
+            if (const auto value = column.number(rays, 2)) expect_says(text, short_number(*value, 7));
+    }
+}
+
+TEST_F(Panels, ExportsAndCasesAreWrittenBesideTheScene) {
+    test::TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    ASSERT_TRUE(session.open(folder / "plate.yaml"));
+    session.pin({4, 4});
+    for (int i = 0; i < 5000 && !session.explanation(); ++i) {
+        session.update();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ASSERT_NE(session.explanation(), nullptr);
+    for (const RayFormat format : {RayFormat::csv, RayFormat::json, RayFormat::obj}) export_rays(session, format);
+    save_pixel_case(session);
+    save_pixel_case(session);
+    for (int i = 0; i < 5000 && !session.exports.idle(); ++i) {
+        session.update();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    for (const char* name :
+         {"plate-4,4.csv", "plate-4,4.json", "plate-4,4.obj", "plate-4,4.case.yaml", "plate-4,4-2.case.yaml"})
+        EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+}
+
+double thread_seconds() {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// 1e5 branches, everything open: a frame may take 20 ms. CPU time of this thread, so that a busy machine does not
+// count.
+TEST_F(Panels, DrawATreeOfAHundredThousandBranches) {
+    Scene scene = test::small(test::shipped_scene("cube-calcite"), 16);
+    scene.render.residual = 0.0;
+    scene.render.node_budget = 500;  // the render; the pinned tree gets its own plan below
+    pin_in(scene, {8, 7});
+    scene.render.node_budget = 60'000;
+    ASSERT_TRUE(session.current()->edit(scene, "node budget"));
+    session.current()->set_paused(true);
+    for (int i = 0; i < 5000 && !session.explanation(); ++i) {
+        session.update();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ASSERT_NE(session.explanation(), nullptr);
+    const std::size_t branches = session.explanation()->tree.nodes.size();
+    ASSERT_GT(branches, 100'000U);
+
+    PathList list;
+    double start = thread_seconds();
+    list.set_tree(session.current()->plan(), session.explanation());
+    const double facts = thread_seconds() - start;
+    start = thread_seconds();
+    list.open_all(true);
+    EXPECT_EQ(list.rows().size(), branches);
+    const double rows = thread_seconds() - start;
+
+    ImGui::GetIO().DisplaySize = {400.0F, 900.0F};
+    PathsPanel paths;
+    RayTablePanel table;
+    shown(paths);
+    shown(table);
+    session.selection.node = session.explanation()->tree.leaves.back();
+    shown(paths);
+    shown(table);
+    start = thread_seconds();
+    shown(paths);
+    const double paths_frame = (thread_seconds() - start) / 3.0;
+    start = thread_seconds();
+    shown(table);
+    const double table_frame = (thread_seconds() - start) / 3.0;
+    std::printf("%zu branches: list %.1f ms, all rows %.1f ms; a frame of paths %.2f ms, of the table %.2f ms\n",
+                branches, 1e3 * facts, 1e3 * rows, 1e3 * paths_frame, 1e3 * table_frame);
+    EXPECT_LT(rows, 0.1);
+    EXPECT_LT(paths_frame, 0.02);
+    EXPECT_LT(table_frame, 0.02);
+}
+
+}  // namespace
+}  // namespace pol

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of paths: filters against a walk from every leaf to the camera.
+#include <gtest/gtest.h>
+
+#include "support/shipped_scenes.h"
+#include "tracer/tree_names.h"
+#include "viewer/path_list.h"
+
+namespace pol {
+namespace {
+
+struct Tree {
+    std::shared_ptr<const Plan> plan;
+    std::shared_ptr<const Explanation> explanation;
+    [[nodiscard]] const RayTreeNode& node(int i) const { return explanation->tree.nodes[static_cast<std::size_t>(i)]; }
+};
+
+Tree tree_of(const std::string& scene, double x, double y) {
+    Tree tree;
+    tree.plan = test::plan_of(test::shipped_scene(scene));
+    const RenderSettings& settings = tree.plan->settings;
+    tree.explanation = std::make_shared<const Explanation>(
+        explain(*tree.plan, static_cast<int>(x * settings.width), static_cast<int>(y * settings.height), 0, 0));
+    return tree;
+}
+
+PathList list_of(const Tree& tree) {
+    PathList list;
+    list.set_tree(tree.plan, tree.explanation);
+    return list;
+}
+
+/// Counts the leaves for which `wanted` holds for some branch, or for all, on the way to the camera.
+template <class Wanted>
+PathCount some_on_the_way(const Tree& tree, const Wanted& wanted) {
+    PathCount count;
+    for (const int leaf : tree.explanation->tree.leaves) {
+        bool found = false;
+        for (int i = leaf; i >= 0; i = tree.node(i).parent) found |= wanted(i);
+        if (!found) continue;
+        ++count.leaves;
+        count.s0 += tree.node(leaf).light.s0;
+        count.weight += tree.node(leaf).end.weight;
+    }
+    return count;
+}
+
+void expect_same(const PathCount& a, const PathCount& b) {
+    EXPECT_EQ(a.leaves, b.leaves);
+    EXPECT_EQ(a.s0, b.s0);
+    EXPECT_EQ(a.weight, b.weight);
+}
+
+const std::vector<Tree>& trees() {
+    static const std::vector<Tree> all{tree_of("cube-calcite", 0.5, 0.47), tree_of("paper-calcite-polarized", 0.5, 0.6),
+                                       tree_of("wollaston", 0.5, 0.5), tree_of("cube-glass", 0.5, 0.47)};
+    return all;
+}
+
+TEST(PathList, ListsEveryLeafWithoutAFilter) {
+    for (const Tree& tree : trees()) {
+        PathList list = list_of(tree);
+        EXPECT_EQ(list.shown().leaves, tree.explanation->tree.leaves.size());
+        EXPECT_EQ(list.shown().s0, tree.explanation->leaf_sum.s0);
+        list.open_all(true);
+        EXPECT_EQ(list.rows().size(), tree.explanation->tree.nodes.size());
+        list.open_all(false);
+        EXPECT_EQ(list.rows().size(), 1U);
+    }
+}
+
+TEST(PathList, FiltersAgreeWithAWalkToTheCamera) {
+    for (const Tree& tree : trees()) {
+        PathList list = list_of(tree);
+        PathFilter filter;
+        filter.total_reflection = true;
+        list.set_filter(filter);
+        expect_same(list.shown(), some_on_the_way(tree, [&](int i) {
+                        return is_total_reflection(*tree.plan, *tree.explanation, i);
+                    }));
+        for (int body = 0; body < tree.plan->solid_count() + 1; ++body) {
+            filter = {};
+            filter.body = body;
+            list.set_filter(filter);
+            expect_same(list.shown(), some_on_the_way(tree, [&](int i) {
+                            const RayTreeNode& n = tree.node(i);
+                            const auto region = static_cast<std::size_t>(n.start.region);
+                            return (n.arrived && n.crossing.body == body) || tree.plan->regions[region].owner == body;
+                        }));
+        }
+        filter = {};
+        filter.unresolved = true;
+        list.set_filter(filter);
+        double unresolved = 0.0;
+        for (const int leaf : tree.explanation->tree.leaves)
+            if (is_unresolved(*tree.node(leaf).reason) && !tree.node(leaf).estimated)
+                unresolved += tree.node(leaf).end.weight;
+        EXPECT_LE(unresolved, list.shown().weight * (1.0 + 1e-12));
+        EXPECT_EQ(list.shown().s0, 0.0) << "what was not followed to a source brings no light";
+    }
+}
+
+TEST(PathList, SharesOfComplementaryFiltersAddUp) {
+    for (const Tree& tree : trees()) {
+        PathList list = list_of(tree);
+        PathFilter filter;
+        filter.only_e = true;
+        list.set_filter(filter);
+        const PathCount only_e = list.shown();
+        const auto mode = [&](int leaf, WaveKind kind) {
+            for (int i = leaf; i >= 0; i = tree.node(i).parent)
+                if (tree.node(i).start.wave.kind == kind) return true;
+            return false;
+        };
+        std::size_t others = 0;
+        double s0 = only_e.s0;
+        for (const int leaf : tree.explanation->tree.leaves) {
+            if (mode(leaf, WaveKind::extraordinary) && !mode(leaf, WaveKind::ordinary)) continue;
+            ++others;
+            s0 += tree.node(leaf).light.s0;
+        }
+        EXPECT_EQ(only_e.leaves + others, list.all().leaves);
+        EXPECT_NEAR(s0, list.all().s0, 1e-14);
+
+        filter = {};
+        filter.bright = true;
+        list.set_filter(filter);
+        EXPECT_LE(list.shown().leaves, 100U) << "each of them brings a hundredth";
+        EXPECT_LE(list.shown().s0, list.all().s0 * (1.0 + 1e-12));
+    }
+}
+
+TEST(PathList, RowsAreSortedAndLeadToListedLeaves) {
+    PathList list = list_of(trees()[0]);
+    PathFilter filter;
+    filter.only_e = true;
+    list.set_filter(filter);
+    list.open_all(true);
+    std::vector<double> last_weight(1, 2.0);
+    std::size_t leaves = 0;
+    for (const PathList::Row& row : list.rows()) {
+        const RayTreeNode& node = trees()[0].node(row.branch);
+        last_weight.resize(static_cast<std::size_t>(row.indent) + 1, 2.0);
+        EXPECT_LE(node.start.weight, last_weight.back()) << "heaviest first, branch " << row.branch;
+        last_weight.back() = node.start.weight;
+        EXPECT_TRUE(list.listed(row.branch));
+        if (node.reason) ++leaves;
+    }
+    EXPECT_EQ(leaves, list.shown().leaves);
+}
+
+TEST(PathList, ASelectedBranchGetsARow) {
+    PathList list = list_of(trees()[0]);
+    list.open_all(false);
+    const int last = trees()[0].explanation->tree.leaves.back();
+    EXPECT_FALSE(list.row_of(last));
+    list.reveal(last);
+    ASSERT_TRUE(list.row_of(last));
+    EXPECT_EQ(list.rows()[*list.row_of(last)].branch, last);
+}
+
+TEST(TotalReflection, IsFoundInTheRhombAndNotAtMetal) {
+    const auto count = [](const Tree& tree) {
+        int total = 0;
+        for (int i = 0; i < static_cast<int>(tree.explanation->tree.nodes.size()); ++i)
+            total += is_total_reflection(*tree.plan, *tree.explanation, i) ? 1 : 0;
+        return total;
+    };
+    const Tree rhomb = tree_of("fresnel-rhomb", 0.5, 0.5);
+    int on_the_brightest = 0;
+    int brightest = rhomb.explanation->tree.leaves.front();
+    for (const int leaf : rhomb.explanation->tree.leaves)
+        if (rhomb.node(leaf).light.s0 > rhomb.node(brightest).light.s0) brightest = leaf;
+    for (int i = brightest; i >= 0; i = rhomb.node(i).parent)
+        on_the_brightest += is_total_reflection(*rhomb.plan, *rhomb.explanation, i) ? 1 : 0;
+    EXPECT_EQ(on_the_brightest, 2);
+    const Tree metal = tree_of("metal-spheres", 0.5, 0.55);
+    ASSERT_GT(metal.explanation->tree.nodes.size(), 1U) << "the ray must meet a sphere";
+    EXPECT_EQ(count(metal), 0);
+}
+
+}  // namespace
+}  // namespace pol

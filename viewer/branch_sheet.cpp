@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/branch_sheet.h"
+
+#include <fmt/format.h>
+
+#include "core/units.h"
+#include "tracer/tree_names.h"
+#include "viewer/reading_text.h"
+
+namespace pol {
+
+namespace {
+
+const RayTreeNode& node_of(const Explanation& explanation, int branch) {
+    return explanation.tree.nodes[static_cast<std::size_t>(branch)];
+}
+
+SheetRow number(std::string name, double value, std::string_view unit, std::string_view help) {
+    return {std::move(name), short_number(value, 9) + std::string(unit), {}, fmt::format("{:.17g}", value), help};
+}
+
+SheetRow vector(std::string name, const DVec3& v, std::string_view help) {
+    return {std::move(name),
+            fmt::format("({}, {}, {})", short_number(v.x, 6), short_number(v.y, 6), short_number(v.z, 6)),
+            {},
+            fmt::format("({:.17g}, {:.17g}, {:.17g})", v.x, v.y, v.z),
+            help};
+}
+
+SheetRow complex(std::string name, const Complex<double>& z, std::string_view help) {
+    return {std::move(name), complex_text(z), {}, exact_text(z), help};
+}
+
+SheetRow words(std::string name, const std::string& text, std::string_view help) {
+    return {std::move(name), text, {}, text, help};
+}
+
+void add_matrix(std::vector<SheetRow>& rows, const RayTreeNode& node) {
+    constexpr std::string_view help = "From the branch's field vectors 1, 2 to the camera's x, y";
+    const auto& m = node.start.throughput.m;
+    rows.push_back(complex("M x1", m[0][0], help));
+    rows.push_back(complex("M y1", m[1][0], help));
+    if (node.start.wave.kind != WaveKind::pair) return;
+    rows.push_back(complex("M x2", m[0][1], help));
+    rows.push_back(complex("M y2", m[1][1], help));
+}
+
+void add_arriving(std::vector<SheetRow>& rows, const RayTreeNode& node) {
+    constexpr std::string_view help =
+        "Light that arrives at the start of the branch, in its field vectors, before the steps to the camera";
+    if (!node.arriving) {
+        rows.push_back(words("light", "not known on the random tail", help));
+        return;
+    }
+    rows.push_back(number("light J11", node.arriving->xx, "", help));
+    if (node.start.wave.kind != WaveKind::pair) return;
+    rows.push_back(number("light J22", node.arriving->yy, "", help));
+    rows.push_back(complex("light J12", node.arriving->xy, help));
+}
+
+}  // namespace
+
+std::string branch_title(const Plan& plan, const Explanation& explanation, int branch, bool total_reflection) {
+    const RayTreeNode& node = node_of(explanation, branch);
+    const bool single = node.start.wave.kind != WaveKind::pair;
+    return fmt::format("{}{}{} {}", total_reflection ? "total refl." : name_of(node.interaction), single ? " " : "",
+                       single ? mode_of(node.start.wave) : "", medium_name(plan, node.start.region));
+}
+
+std::string branch_end(const Plan& plan, const Explanation& explanation, int branch) {
+    const RayTreeNode& node = node_of(explanation, branch);
+    if (node.reason && is_unresolved(*node.reason))
+        return *node.reason == LeafReason::failure ? "failed" : "not followed";
+    if (!node.arrived) return name_of(*node.reason);
+    const std::string& met = plan.body_name(node.crossing.body);
+    return node.reason || node.crossing.facet < 0 ? met : fmt::format("{} {}", met, node.crossing.facet);
+}
+
+SheetGroup make_branch_sheet(const Plan& plan, const Explanation& explanation, int branch) {
+    const RayTreeNode& node = node_of(explanation, branch);
+    SheetGroup group{fmt::format("Branch {}", branch), {}};
+    std::vector<SheetRow>& rows = group.rows;
+    rows.push_back(words("came by",
+                         branch_title(plan, explanation, branch, is_total_reflection(plan, explanation, branch)),
+                         "Interaction, mode and medium"));
+    if (node.reason) rows.push_back(words("ended", name_of(*node.reason), "Why the branch did not go on"));
+    if (node.arrived) {
+        rows.push_back(words("meets",
+                             fmt::format("{}, facet {}", plan.body_name(node.crossing.body), node.crossing.facet),
+                             "Object and facet"));
+        rows.push_back(vector("point", node.end.origin, "Where it meets it, scene units"));
+        rows.push_back(number("angle", degrees(node.angle), "\u00b0", "Of incidence, between ray and normal"));
+    }
+    rows.push_back(number("index", index_of(node), "", "Refractive index that it sees, |k|"));
+    rows.push_back(vector("k", node.start.wave.k, "Wave vector of the backward ray in units of omega/c"));
+    rows.push_back(vector("ray", node.start.wave.ray, "Direction of the backward ray (energy)"));
+    rows.push_back(vector("field 1", node.start.wave.field[0], "Electric field vector of column 1"));
+    if (node.start.wave.kind == WaveKind::pair)
+        rows.push_back(vector("field 2", node.start.wave.field[1], "Electric field vector of column 2"));
+    rows.push_back(
+        number("weight", node.start.weight, "", "Share of the pixel that unpolarized light on it can bring"));
+    rows.push_back(number("brings S0", node.share.s0, "", "It and all that grew from it"));
+    rows.push_back(number("brings S1", node.share.s1, "", "It and all that grew from it"));
+    rows.push_back(number("brings S2", node.share.s2, "", "It and all that grew from it"));
+    rows.push_back(number("brings S3", node.share.s3, "", "It and all that grew from it"));
+    add_matrix(rows, node);
+    add_arriving(rows, node);
+    if (node.estimated) rows.push_back(words("estimated", "random tail", "Rescaled to stand for all that was open"));
+    return group;
+}
+
+}  // namespace pol

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "viewer/session.h"
+
+namespace pol {
+
+/// The ray states of the pinned pixel's tree as a table that can be sorted by any column and exported.
+class RayTablePanel {
+public:
+    void draw(Session& session);
+
+private:
+    /// Row order for the column that the user sorts by; the tree's own order without one.
+    void sort(const Plan& plan, int column, bool descending);
+    void draw_table(Session& session);
+
+    std::shared_ptr<const Explanation> explanation_;
+    std::vector<int> order_;  ///< branches, as they are shown
+    int sorted_by_ = 0;       ///< column
+    bool descending_ = false;
+    std::optional<int> scrolled_to_;
+};
+
+}  // namespace pol

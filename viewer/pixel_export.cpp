@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/pixel_export.h"
+
+#include <cmath>
+#include <memory>
+#include <system_error>
+
+#include "cli/explain_report.h"
+#include "cli/ray_table.h"
+#include "io/output_file.h"
+#include "io/pixel_case_file.h"
+
+namespace pol {
+
+namespace {
+
+Result<Done> write_text(const std::filesystem::path& path, const std::string& text) {
+    auto file = OutputFile::create(path);
+    if (!file) return file.error();
+    file.value()->write(text.data(), text.size());
+    return file.value()->commit();
+}
+
+std::string text_in(RayFormat format, const Plan& plan, const Explanation& explanation) {
+    switch (format) {
+        case RayFormat::csv:
+            return ray_table_as_csv(plan, explanation);
+        case RayFormat::json:
+            return explanation_as_json(plan, explanation);
+        case RayFormat::obj:
+            return paths_as_obj(plan, explanation);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::filesystem::path free_name(const Session& session, const std::string& ending) {
+    const PixelAddress pixel = session.selection.pinned().value_or(PixelAddress{});
+    const std::filesystem::path& scene = session.current()->path();
+    const std::string stem = (scene.empty() ? std::string("pixel") : scene.stem().string()) + "-" +
+                             std::to_string(pixel.x) + "," + std::to_string(pixel.y);
+    std::error_code ignored;
+    for (int i = 1;; ++i) {
+        const std::filesystem::path path =
+            scene.parent_path() / (stem + (i == 1 ? std::string() : "-" + std::to_string(i)) + ending);
+        if (!std::filesystem::exists(path, ignored) && !session.exports.will_write(path)) return path;
+    }
+}
+
+void export_rays(Session& session, RayFormat format) {
+    constexpr const char* endings[] = {".csv", ".json", ".obj"};
+    const auto path = free_name(session, endings[static_cast<std::size_t>(format)]);
+    session.exports.start("ray states", path,
+                          [plan = session.current()->plan(), explanation = session.explanation(), format,
+                           path](ExportProgress&) { return write_text(path, text_in(format, *plan, *explanation)); });
+}
+
+void save_pixel_case(Session& session) {
+    const auto explanation = session.explanation();
+    const Document& document = *session.current();
+    PixelCase pixel_case;
+    pixel_case.x = explanation->x;
+    pixel_case.y = explanation->y;
+    pixel_case.sample = explanation->sample;
+    pixel_case.wavelength_nm = document.plan()->wavelengths_nm[static_cast<std::size_t>(explanation->wavelength)];
+    pixel_case.expected = to_coherence(explanation->sample_light);
+    pixel_case.scene = document.scene();
+    const CoherenceMatrix<double>& j = pixel_case.expected;
+    if (!std::isfinite(j.xx + j.yy + j.xy.re + j.xy.im)) {
+        session.log.add(Severity::error, "this pixel is not a number: nothing that a test could expect");
+        return;
+    }
+    const auto path = free_name(session, ".case.yaml");
+    session.exports.start("pixel case", path, [pixel_case = std::move(pixel_case), path](ExportProgress&) {
+        return write_text(path, save_pixel_case(pixel_case));
+    });
+}
+
+}  // namespace pol

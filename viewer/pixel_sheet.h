@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The inspector's page of one pixel as text: what each number is, how it is shown, and what a copy of it says. No
+// ImGui.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polarization/coherence_matrix.h"
+#include "polarization/measures.h"
+#include "polarization/stokes.h"
+#include "viewer/session.h"
+
+namespace pol {
+
+/// A number for a person, for the clipboard, and what is known about its error.
+struct SheetRow {
+    std::string name;
+    std::string value;  ///< a few digits with the unit, or why there is none: "undefined", "no light"
+    std::string bar;    ///< "± 0.002", empty: exact but for rounding
+    std::string exact;  ///< 17 significant digits and the unit; empty if there is no number
+    std::string_view help;
+};
+
+struct SheetGroup {
+    std::string title;
+    std::vector<SheetRow> rows;
+};
+
+/// One pixel behind the bench at the shown wavelength, in the frame and convention of Session::sheet.
+struct PixelSheet {
+    PixelAddress pixel{};
+    double wavelength_nm = 0.0;
+    std::string trouble;     ///< why the frame is not the one asked for; empty: it is
+    bool from_tree = false;  ///< not rendered yet: the light is that of the explained sample
+
+    Stokes<double> stokes{};
+    CoherenceMatrix<double> matrix{};
+    Measures<double> measures{};  ///< of `stokes`
+    /// As who looks sees it, x to the right and y up: handedness +1 is clockwise, whatever the sign of S3.
+    Measures<double> seen{};
+
+    std::vector<SheetGroup> groups;  ///< matrix, frame, parts, Stokes, measures, how it was made
+};
+
+/// Requires: a pinned pixel of the current picture.
+PixelSheet make_pixel_sheet(const Session& session);
+
+/// "0.25 - 0.1 i", seven significant digits.
+std::string complex_text(const Complex<double>& z);
+/// The same with 17.
+std::string exact_text(const Complex<double>& z);
+
+/// What the curves over wavelength show; none where it is undefined.
+struct SheetCurve {
+    std::string name;  ///< with unit
+    std::vector<std::optional<double>> values;
+    double low = 0.0;
+    double high = 1.0;
+    bool cyclic = false;
+};
+/// S0, DoP, azimuth, ellipticity of the pinned pixel at all wavelengths. Requires: as make_pixel_sheet.
+std::vector<SheetCurve> spectrum_curves(const Session& session);
+
+/// The whole page, one line per number at full precision.
+std::string text_of(const PixelSheet& sheet);
+
+}  // namespace pol
