@@ -1,14 +1,219 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/check_command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "cli/report.h"
+#include "core/nearest_word.h"
+#include "io/exr_file.h"
+#include "io/scene_file.h"
+#include "verify/image_check.h"
+#include "verify/invariants.h"
+#include "verify/scene_twins.h"
 
 namespace pol {
 
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using verify::ImageDefect;
+using verify::ImageReport;
+using verify::Invariant;
+using verify::InvariantResult;
+using verify::Outcome;
+
+constexpr int self_check_failed = 5;
+
+struct FileRequest {
+    std::string file;
+    int size = 16;
+    bool json = false;
+};
+
+void print(const ordered_json& report) {
+    fmt::print("{}\n", report.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+// Pictures.
+
+void print_text(const std::string& file, const StokesImage& image, const ImageReport& report) {
+    const std::size_t planes = image.wavelengths_nm.size();
+    fmt::print("{}: {}x{} pixels, {} {}\n\n", file, image.width, image.height, planes,
+               planes == 1 ? "wavelength" : "wavelengths");
+    for (const ImageDefect& defect : report.defects) {
+        fmt::print("{:<46}{:>10}  {}", defect.name, defect.count, defect.count == 0 ? "pass" : "FAIL");
+        if (defect.worst)
+            fmt::print("   worst: pixel {},{} at {} nm, {} = {:.6g}", defect.worst->x, defect.worst->y,
+                       defect.worst->wavelength_nm, defect.value_name, defect.worst->value);
+        fmt::print("\n");
+    }
+    const verify::DopStatistics& dop = report.dop;
+    fmt::print("\n{} values with light, {} dark\n", dop.lit, dop.dark);
+    if (dop.lit > 0)
+        fmt::print(
+            "degree of polarization: least {:.6g}, 1 % below {:.6g}, median {:.6g}, 99 % below {:.6g}, most {:.6g}; "
+            "mean "
+            "{:.6g}\n",
+            dop.least, dop.percentile_1, dop.median, dop.percentile_99, dop.most, dop.mean);
+    for (const std::string& remark : report.remarks) fmt::print("note: {}\n", remark);
+}
+
+ordered_json as_json(const std::string& file, const StokesImage& image, const ImageReport& report) {
+    ordered_json out{{"file", file},
+                     {"width", image.width},
+                     {"height", image.height},
+                     {"wavelengths_nm", image.wavelengths_nm},
+                     {"physical", report.physical()}};
+    for (const ImageDefect& defect : report.defects) {
+        ordered_json entry{{"name", defect.name}, {"count", defect.count}};
+        if (defect.worst)
+            entry["worst"] = {{"pixel", {defect.worst->x, defect.worst->y}},
+                              {"wavelength_nm", defect.worst->wavelength_nm},
+                              {"what", defect.value_name},
+                              {"value", defect.worst->value}};
+        out["defects"].push_back(entry);
+    }
+    const verify::DopStatistics& dop = report.dop;
+    out["dop"] = {{"lit", dop.lit},       {"dark", dop.dark},
+                  {"least", dop.least},   {"percentile_1", dop.percentile_1},
+                  {"median", dop.median}, {"percentile_99", dop.percentile_99},
+                  {"most", dop.most},     {"mean", dop.mean}};
+    out["remarks"] = report.remarks;
+    return out;
+}
+
+int check_picture(const FileRequest& request) {
+    const Result<StokesImage> image = read_exr(request.file);
+    if (!image) return report(image.error());
+    const ImageReport found = verify::check_image(image.value());
+    if (request.json)
+        print(as_json(request.file, image.value(), found));
+    else
+        print_text(request.file, image.value(), found);
+    return found.physical() ? 0 : self_check_failed;
+}
+
+// Scenes.
+
+/// The command that shows the pixel where an invariant is worst.
+std::string explain_command(const FileRequest& request, const verify::WorstPixel& at) {
+    return fmt::format("polariscope explain {} --size {}x{} --pixel {},{} --wavelength {}", request.file, request.size,
+                       request.size, at.x, at.y, at.wavelength_nm);
+}
+
+void print_text(const FileRequest& request, const Invariant& invariant, const InvariantResult& result) {
+    fmt::print("{:<19}{}\n{:<19}", invariant.name, invariant.sentence, "");
+    if (result.outcome == Outcome::does_not_apply) {
+        fmt::print("{}: {}\n", outcome_text(result.outcome), result.note);
+        return;
+    }
+    fmt::print("{}: {} of {} beyond the tolerance", outcome_text(result.outcome), result.violated, result.tested);
+    if (result.allowed > 0) fmt::print(", {} allowed", result.allowed);
+    fmt::print("; worst {:.3g} tolerances\n", result.worst);
+    if (result.violated == 0) return;
+    if (!result.note.empty()) fmt::print("{:<19}{}\n", "", result.note);
+    if (result.worst_pixel) fmt::print("{:<19}{}\n", "", explain_command(request, *result.worst_pixel));
+}
+
+ordered_json as_json(const FileRequest& request, const Invariant& invariant, const InvariantResult& result) {
+    ordered_json entry{{"name", invariant.name},
+                       {"sentence", invariant.sentence},
+                       {"outcome", outcome_text(result.outcome)},
+                       {"tested", result.tested},
+                       {"violated", result.violated},
+                       {"allowed", result.allowed},
+                       {"worst_in_tolerances", result.worst},
+                       {"note", result.note}};
+    if (result.worst_pixel) {
+        entry["worst_pixel"] = {result.worst_pixel->x, result.worst_pixel->y};
+        entry["explain"] = explain_command(request, *result.worst_pixel);
+    }
+    return entry;
+}
+
+int check_scene(const FileRequest& request) {
+    const Result<Scene> scene = load_scene(request.file);
+    if (!scene) return report(scene.error());
+    const auto test = verify::under_test(verify::small(scene.value(), request.size));
+    if (!test) return report(test.error());
+    ordered_json out{{"scene", request.file}, {"size", {request.size, request.size}}};
+    if (!request.json) fmt::print("{}: {}x{} pixels\n\n", request.file, request.size, request.size);
+    bool failed = false;
+    for (const Invariant& invariant : verify::invariants()) {
+        const InvariantResult result = invariant.check(test.value());
+        failed |= result.outcome == Outcome::fail;
+        if (request.json)
+            out["invariants"].push_back(as_json(request, invariant, result));
+        else
+            print_text(request, invariant, result);
+    }
+    if (request.json) print(out);
+    return failed ? self_check_failed : 0;
+}
+
+/// A file that is not there may be a misspelled subcommand.
+int report_missing(const CLI::App& command, const std::string& word) {
+    std::vector<std::string> names;
+    for (const CLI::App* one : command.get_subcommands({})) names.push_back(one->get_name());
+    const auto nearest = nearest_word(word, std::vector<std::string_view>(names.begin(), names.end()));
+    if (!nearest) return report({ErrorKind::input, "cannot be opened", Place{word}, {}, "is the name right?"});
+    return report({ErrorKind::usage,
+                   fmt::format("there is no file and no check '{}'", word),
+                   {},
+                   {},
+                   fmt::format("did you mean '{}'?", *nearest)});
+}
+
+int run(const CLI::App& command, const FileRequest& request) {
+    if (request.file.empty())
+        return report({ErrorKind::usage,
+                       "nothing to check",
+                       {},
+                       {},
+                       "a scene, a picture or 'facts'; see polariscope check --help"});
+    constexpr int largest = 512;
+    if (request.size < 1 || request.size > largest)
+        return report({ErrorKind::usage,
+                       fmt::format("{} is no size of a picture", request.size),
+                       {},
+                       "--size",
+                       fmt::format("1 to {} pixels a side", largest)});
+    std::error_code status;
+    if (!fs::exists(request.file, status)) return report_missing(command, request.file);
+    return fs::path(request.file).extension() == ".exr" ? check_picture(request) : check_scene(request);
+}
+
+}  // namespace
+
 void add_check_command(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand("check", "Prove the physics and the numbers of this program");
-    command->require_subcommand(1);
-    command->footer("Example:\n  polariscope check facts T9 T11\n  polariscope check stiff -o stiff");
+    auto request = std::make_shared<FileRequest>();
+    CLI::App* command = app.add_subcommand("check", "Prove the physics of this program, of a scene, or of a picture");
+    command->require_subcommand(0, 1);
+    command->add_option("FILE", request->file,
+                        "Scene: invariants that hold whatever is in it. Stokes picture (.exr): whether it is light");
+    command->add_option("--size", request->size, "Scene: pixels along the sides of the picture")->capture_default_str();
+    command->add_flag("--json", request->json, "Print JSON");
+    command->footer(
+        "Exit codes: 0 all is well; 1 a fact or a stiff case fails; 5 a scene breaks an invariant, or a picture is not "
+        "light.\n"
+        "\nExamples:\n"
+        "  polariscope check facts T9 T11\n"
+        "  polariscope check stiff\n"
+        "  polariscope check assets/scenes/cube-calcite.yaml --size 32\n"
+        "  polariscope check stone.exr --json");
+    command->callback([command, request, &exit_code] {
+        if (command->get_subcommands().empty()) exit_code = run(*command, *request);
+    });
     add_check_facts_command(*command, exit_code);
     add_check_stiff_command(*command, exit_code);
 }

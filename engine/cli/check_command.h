@@ -7,9 +7,8 @@ class App;
 
 namespace pol {
 
-/// Adds `polariscope check`: the program proves its physics (`check facts`) and its numbers
-/// (`check stiff`). When the command runs it sets `exit_code`;
-/// `exit_code` must outlive `app`.
+/// Adds `polariscope check`: invariants of a scene, the sanity of a picture, or what its subcommands check. When the
+/// command runs it sets `exit_code`; `exit_code` must outlive `app`.
 void add_check_command(CLI::App& app, int& exit_code);
 
 /// Adds `facts` to the command `check`.

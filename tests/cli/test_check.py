@@ -6,7 +6,7 @@ import json
 import re
 import unittest
 
-from program import ProgramTest, main
+from program import SCENES, ProgramTest, main
 
 
 class Facts(ProgramTest):
@@ -77,6 +77,41 @@ class Stiff(ProgramTest):
         self.refuse(2, ["biaxial"], "check", "stiff", "--row", "33")
         self.write("file", "")
         self.refuse(4, ["file", "folder"], "check", "stiff", "--row", "dark", "-o", "file")
+
+
+class Files(ProgramTest):
+    def test_a_scene_keeps_all_invariants(self):
+        text = self.succeed("check", SCENES / "cube-glass.yaml", "--size", 8)
+        self.assertIn("\nreciprocity ", text)
+        self.assertNotIn("FAIL", text)
+        report = json.loads(self.succeed("check", SCENES / "cube-glass.yaml", "--size", 8, "--json"))
+        outcomes = {entry["name"]: entry["outcome"] for entry in report["invariants"]}
+        self.assertEqual(outcomes.pop("isotropic twin"), "does not apply")
+        self.assertEqual(set(outcomes.values()), {"pass"})
+        self.assertEqual(report["invariants"][0]["tested"], 64)
+
+    def test_the_command_that_shows_the_worst_pixel_works(self):
+        report = json.loads(self.succeed("check", SCENES / "cube-glass.yaml", "--size", 8, "--json"))
+        command = report["invariants"][0]["explain"].split()
+        self.assertEqual(command[:2], ["polariscope", "explain"])
+        self.succeed(*command[1:])
+
+    def test_a_picture_of_ours_is_light(self):
+        self.succeed("render", SCENES / "cube-glass.yaml", "-o", "cube.exr", "--size", "24x24", "--quiet")
+        text = self.succeed("check", "cube.exr")
+        self.assertIn("cube.exr: 24x24 pixels", text)
+        self.assertEqual(text.count("pass"), 3)
+        report = json.loads(self.succeed("check", "cube.exr", "--json"))
+        self.assertTrue(report["physical"])
+        self.assertEqual([defect["count"] for defect in report["defects"]], [0, 0, 0])
+        self.assertEqual(report["dop"]["lit"] + report["dop"]["dark"], 24 * 24 * len(report["wavelengths_nm"]))
+
+    def test_what_is_no_scene_and_no_picture_is_refused(self):
+        self.write("broken.exr", b"no picture")
+        self.write("broken.yaml", "camera: 3")
+        self.refuse(3, ["broken.exr"], "check", "broken.exr")
+        self.refuse(3, ["broken.yaml:1"], "check", "broken.yaml")
+        self.refuse(3, ["missing.exr"], "check", "missing.exr")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be said of any Stokes picture without its scene: whether its numbers are light at all, and what looks odd.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "film/stokes_image.h"
+
+namespace pol::verify {
+
+/// Largest |s|/S0 - 1 that rounding S0 to S3 to 32-bit floats makes of physical light: each is off by up to 2^-24 of
+/// itself, so (1 + 2^-24)/(1 - 2^-24) - 1.
+inline constexpr double float_excess = 0x1p-23 * (1.0 + 0x1p-22);
+/// The same for 16-bit floats (2^-11), which some programs write unless told otherwise.
+inline constexpr double half_excess = 0x1p-10 * (1.0 + 0x1p-9);
+
+/// A number at a pixel; row 0 is the top row.
+struct PixelValue {
+    int x = 0;
+    int y = 0;
+    double wavelength_nm = 0.0;
+    double value = 0.0;
+};
+
+/// A kind of number that no light has.
+struct ImageDefect {
+    std::string name;                 ///< "not a number or infinite"
+    std::string value_name;           ///< what PixelValue::value is: "S0"
+    std::size_t count = 0;            ///< pixels times wavelengths that have it
+    std::optional<PixelValue> worst;  ///< none if the count is 0
+};
+
+/// Degree of polarization over pixels and wavelengths with S0 > 0 whose numbers are finite.
+struct DopStatistics {
+    std::size_t lit = 0;
+    std::size_t dark = 0;  ///< S0 = 0
+    double mean = 0.0;
+    double least = 0.0;
+    double percentile_1 = 0.0;
+    double median = 0.0;
+    double percentile_99 = 0.0;
+    double most = 0.0;
+};
+
+struct ImageReport {
+    std::vector<ImageDefect> defects;  ///< every kind that was looked for
+    DopStatistics dop;
+    std::vector<std::string> remarks;  ///< odd, but not wrong by themselves
+    /// True if nothing is wrong.
+    [[nodiscard]] bool physical() const;
+};
+
+ImageReport check_image(const StokesImage& image);
+
+}  // namespace pol::verify

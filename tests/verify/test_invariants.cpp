@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The invariants hold on every shipped scene, and fail where a picture is tampered with.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/shipped_scenes.h"
+#include "verify/error_bar_check.h"
+#include "verify/invariants.h"
+#include "verify/scene_twins.h"
+
+namespace pol::verify {
+namespace {
+
+class ShippedScene : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(test::shipped_scene_names()),
+                         [](const auto& name) { return test::test_name(name.param); });
+
+TEST_P(ShippedScene, HoldsAllInvariants) {
+    const auto scene = under_test(small(test::shipped_scene(GetParam()), 16));
+    ASSERT_TRUE(scene) << to_string(scene.error());
+    for (const Invariant& invariant : invariants()) {
+        const InvariantResult result = invariant.check(scene.value());
+        EXPECT_NE(result.outcome, Outcome::fail) << invariant.name << ": " << result.violated << " of " << result.tested
+                                                 << ", worst " << result.worst << " tolerances; " << result.note;
+        EXPECT_EQ(result.outcome == Outcome::does_not_apply, result.tested == 0) << invariant.name;
+    }
+}
+
+SceneUnderTest glass_ball() {
+    return under_test(test::scene_of(R"(
+camera: {position: [0, -6, 2], target: [0, 0, 0.1], fov: 30}
+background: 0.5
+render: {size: [8, 8]}
+media: {glass: 1.5}
+objects:
+  - {name: ball, shape: {sphere: {radius: 1}}, medium: glass}
+  - {name: lamp, shape: {rectangle: {size: 3}}, transform: [{translate: [0, 0, -1.2]}],
+     emission: {radiance: 1, polarization: {dop: 0.8, azimuth: 20, ellipticity: 0.4, handedness: left}}}
+)"))
+        .value();
+}
+
+// Trees of most scenes of glass end: P = 0 within rounding then.
+TEST_P(ShippedScene, OfGlassLeavesNoPolarizationInAFurnaceWhenFollowedToTheEnd) {
+    Scene scene = small(test::shipped_scene(GetParam()), 8);
+    scene.render.residual = 1e-12;
+    scene.render.node_budget = 20000;
+    const auto plan = test::plan_of(scene);
+    if (what_loses_light(scene, *plan) || test::has_crystals(*plan)) GTEST_SKIP() << "not lossless glass";
+    EXPECT_EQ(is_invisible_in_a_furnace(under_test(scene).value()).outcome, Outcome::pass);
+}
+
+TEST(Invariants, ApplyWhereTheyCanAndSayWhyWhereTheyCannot) {
+    const SceneUnderTest scene = glass_ball();
+    EXPECT_EQ(is_glass_with_equal_indices(scene).outcome, Outcome::does_not_apply);
+    EXPECT_EQ(is_invisible_in_a_furnace(scene).outcome, Outcome::pass);
+    EXPECT_EQ(is_reciprocal(scene).outcome, Outcome::pass);
+    EXPECT_GE(is_reciprocal(scene).tested, 16U);
+}
+
+TEST(Invariants, FindTheOnePixelOfAPictureThatIsWrong) {
+    SceneUnderTest scene = glass_ball();
+    Stokes<double>& s = scene.image.stokes[scene.image.pixel(5, 3)];
+    const Stokes<double> right = s;
+    const auto finds = [&](InvariantResult (*check)(const SceneUnderTest&)) {
+        const InvariantResult result = check(scene);
+        EXPECT_EQ(result.outcome, Outcome::fail);
+        ASSERT_TRUE(result.worst_pixel);
+        EXPECT_EQ(result.worst_pixel->x, 5);
+        EXPECT_EQ(result.worst_pixel->y, 3);
+    };
+    s.s0 = std::nextafter(right.s0, 2.0);  // one bit
+    finds(is_the_same_for_any_threads_and_tiles);
+    finds(is_the_sum_of_its_leaves);
+    s = {right.s0, right.s0, 0.0, 1e-4 * right.s0};
+    finds(is_physical);
+    s = {-1e-9, 0.0, 0.0, 0.0};
+    finds(is_physical);
+    s.s0 = std::numeric_limits<double>::quiet_NaN();
+    finds(is_physical);
+}
+
+TEST(ErrorBars, ContradictEachOtherWhereThePictureIsOffByMoreThanItSays) {
+    const SceneUnderTest scene = glass_ball();
+    StokesImage other = scene.image;
+    const std::size_t pixel = other.pixel(4, 4);
+    EXPECT_FALSE(contradiction(scene.image, other, 0, pixel));
+    const double bar = scene.image.plane_value(scene.image.residual, 0, pixel) * scene.image.brightest[0];
+    other.stokes[pixel].s0 += 0.9 * bar;
+    EXPECT_FALSE(contradiction(scene.image, other, 0, pixel));
+    other.stokes[pixel].s0 += bar + 1e-9;
+    ASSERT_TRUE(contradiction(scene.image, other, 0, pixel));
+    EXPECT_NE(contradiction(scene.image, other, 0, pixel)->find("S0 in"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pol::verify
