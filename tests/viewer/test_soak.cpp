@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random clicks, drags, keys, edits, resizes and broken files on the whole interface, while workers trace: for
+// POL_SOAK_SECONDS (20), from POL_SOAK_SEED (1). What goes wrong is for assertions and sanitizers to find.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "viewer/commands.h"
+#include "viewer/interface.h"
+#include "viewer/widgets/fonts.h"
+#include "viewer/widgets/widget_map.h"
+
+namespace pol {
+namespace {
+
+namespace fs = std::filesystem;
+
+double number_from(const char* variable, double otherwise) {
+    const char* text = std::getenv(variable);
+    return text == nullptr ? otherwise : std::atof(text);
+}
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Memory that the process holds, MiB.
+double resident_mib() {
+    std::ifstream statm("/proc/self/statm");
+    double total_pages = 0.0;
+    double resident_pages = 0.0;
+    statm >> total_pages >> resident_pages;
+    return resident_pages * 4096.0 / (1024.0 * 1024.0);
+}
+
+constexpr const char* cube = R"(
+title: Soak
+render: {size: [96, 72], spp: 4, wavelengths: 450:650:100}
+camera: {position: [1.6, -3, 2.2], target: [0, 0, -0.1], fov: 28}
+media: {glass: 1.5}
+objects:
+  - name: cube
+    shape: {box: {size: 1}}
+    medium: glass
+  - name: light
+    shape: {rectangle: {size: 3}}
+    transform: [{translate: [0, 0, -0.6]}]
+    emission: {radiance: {d65: 1}}
+)";
+
+/// The window without a screen, and somebody who does not know what he does.
+class Monkey {
+public:
+    explicit Monkey(std::uint64_t seed) : random_(seed), session_([] {}) {
+        folder_ = fs::temp_directory_path() / ("polariscope-soak-" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+        fs::current_path(folder_);
+        write_scene(cube);
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {1280.0F, 800.0F};
+        io.DeltaTime = 1.0F / 60.0F;
+        for (const auto& [key, place] : {std::pair{ImGuiKey_Enter, 0},
+                                         {ImGuiKey_Escape, 1},
+                                         {ImGuiKey_UpArrow, 2},
+                                         {ImGuiKey_DownArrow, 3},
+                                         {ImGuiKey_Backspace, 4},
+                                         {ImGuiKey_Tab, 5},
+                                         {ImGuiKey_LeftArrow, 6},
+                                         {ImGuiKey_RightArrow, 7}})
+            io.KeyMap[key] = place;
+        load_fonts(1.0);
+        io.Fonts->Build();
+    }
+    ~Monkey() {
+        ImGui::DestroyContext();
+        fs::current_path(fs::temp_directory_path());
+        fs::remove_all(folder_);
+    }
+
+    void act_once() {
+        using Act = void (Monkey::*)();
+        constexpr std::array acts{&Monkey::move,   &Monkey::click,          &Monkey::click,   &Monkey::drag,
+                                  &Monkey::wheel,  &Monkey::command,        &Monkey::command, &Monkey::type,
+                                  &Monkey::press,  &Monkey::edit,           &Monkey::edit,    &Monkey::pin,
+                                  &Monkey::resize, &Monkey::save_elsewhere, &Monkey::open,    &Monkey::rest};
+        constexpr std::array<double, 16> weights{8, 8, 8, 4, 4, 8, 8, 3, 3, 3, 3, 4, 1, 0.5, 1, 3};
+        std::discrete_distribution<std::size_t> which(weights.begin(), weights.end());
+        const Act act = acts[which(random_)];
+        (this->*act)();
+    }
+
+    [[nodiscard]] std::uint64_t frames() const { return frames_; }
+
+private:
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+    void frame() {
+        ImGuiIO& io = ImGui::GetIO();
+        io.UserData = &widgets_;
+        widgets_.rects.clear();
+        session_.update();
+        ImGui::NewFrame();
+        Frame frame;
+        interface_.draw(session_, frame);
+        ImGui::Render();
+        io.MouseWheel = 0.0F;
+        ++frames_;
+        if (session_.current() != nullptr && session_.window.panels_visible) {
+            ASSERT_TRUE(std::isfinite(session_.transform.scale));
+            ASSERT_TRUE(std::isfinite(session_.transform.offset.x) && std::isfinite(session_.transform.offset.y));
+        }
+        // The monkey may not leave.
+        session_.window.quit = Quit::no;
+        session_.window.ui_scale = 0.0;
+    }
+
+    /// A named widget, or anywhere.
+    ImVec2 somewhere() {
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        if (widgets_.rects.empty() || uniform(0, 1) < 0.4)
+            return {static_cast<float>(uniform(0, size.x)), static_cast<float>(uniform(0, size.y))};
+        auto widget = widgets_.rects.begin();
+        std::advance(widget, below(widgets_.rects.size()));
+        const ViewRect& rect = widget->second;
+        return {static_cast<float>(rect.origin.x + uniform(0, 1) * rect.size.x),
+                static_cast<float>(rect.origin.y + uniform(0, 1) * rect.size.y)};
+    }
+
+    void move() {
+        ImGui::GetIO().MousePos = somewhere();
+        frame();
+    }
+    void click() {
+        move();
+        bool& down = ImGui::GetIO().MouseDown[uniform(0, 1) < 0.85 ? 0 : 1];
+        down = true;
+        frame();
+        down = false;
+        frame();
+    }
+    void drag() {
+        move();
+        ImGui::GetIO().MouseDown[0] = true;
+        frame();
+        for (int i = 0; i < 4; ++i) move();
+        ImGui::GetIO().MouseDown[0] = false;
+        frame();
+    }
+    void wheel() {
+        move();
+        ImGui::GetIO().MouseWheel = static_cast<float>(uniform(-3, 3));
+        frame();
+    }
+    /// A key as the window passes it on.
+    void command() {
+        const Command& any = commands()[below(commands().size())];
+        if (!session_.window.modal()) run_command(session_, any.chord);
+        frame();
+    }
+    void type() {
+        for (int i = 0; i < 3; ++i) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(uniform(32, 127)));
+        frame();
+    }
+    void press() {
+        bool& down = ImGui::GetIO().KeysDown[below(8)];
+        down = true;
+        frame();
+        down = false;
+        frame();
+    }
+    void rest() {
+        std::this_thread::sleep_for(std::chrono::milliseconds(static_cast<int>(uniform(1, 30))));
+        for (int i = 0; i < 3; ++i) frame();
+    }
+    void resize() {
+        ImGui::GetIO().DisplaySize = {std::floor(static_cast<float>(uniform(320, 2600))),
+                                      std::floor(static_cast<float>(uniform(240, 1600)))};
+        frame();
+    }
+    void pin() {
+        if (session_.current() == nullptr) return;
+        const StokesImage& picture = session_.current()->picture();
+        session_.pin(
+            {static_cast<int>(uniform(-2, picture.width + 2)), static_cast<int>(uniform(-2, picture.height + 2))});
+        frame();
+    }
+    void edit() {
+        Document* document = session_.current();
+        if (document == nullptr || !document->has_scene()) return;
+        Scene scene = document->scene();
+        if (uniform(0, 1) < 0.5) {
+            scene.camera.position =
+                scene.camera.position + DVec3(uniform(-0.1, 0.1), uniform(-0.1, 0.1), uniform(0, 0.1));
+        } else if (!scene.media.empty()) {
+            scene.media[below(scene.media.size())].matter = IsotropicMedium{ConstantIndex{{uniform(0.5, 2.5), 0.0}}};
+        }
+        if (uniform(0, 1) < 0.1) scene.camera.target = scene.camera.position;  // cannot be rendered
+        (void)document->edit(std::move(scene), "soak");
+        if (uniform(0, 1) < 0.5) document->end_edit();
+        frame();
+    }
+    /// Another program saves the file, sometimes half of it.
+    void save_elsewhere() {
+        const std::string text = cube;
+        write_scene(uniform(0, 1) < 0.3 ? text.substr(0, below(text.size())) : text);
+        rest();
+    }
+    void open() {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+            if (entry.path() != scene_ && uniform(0, 1) < 0.7) fs::remove(entry.path());
+        while (session_.documents().size() > 2) session_.close_document();
+        session_.open(scene_);
+        frame();
+    }
+    void write_scene(const std::string& text) { std::ofstream(scene_ = folder_ / "soak.yaml") << text; }
+
+    std::mt19937_64 random_;
+    fs::path folder_;
+    fs::path scene_;
+    WidgetMap widgets_;
+    Session session_;
+    Interface interface_;
+    std::uint64_t frames_ = 0;
+};
+
+TEST(Soak, SurvivesAUserWhoDoesAnything) {
+    const double length = number_from("POL_SOAK_SECONDS", 20.0);
+    const auto seed = static_cast<std::uint64_t>(number_from("POL_SOAK_SEED", 1.0));
+    Monkey monkey(seed);
+    const double begin = seconds();
+    double settled_mib = 0.0;  // after a third, when fonts, caches and buffers have their size
+    std::uint64_t acts = 0;
+    while (seconds() - begin < length && !HasFailure()) {
+        monkey.act_once();
+        ++acts;
+        if (settled_mib == 0.0 && seconds() - begin > length / 3.0) settled_mib = resident_mib();
+    }
+    const double growth = resident_mib() - settled_mib;
+    std::printf("seed %llu: %llu acts, %llu frames; memory %.0f MiB after a third, %+.1f MiB since\n",
+                static_cast<unsigned long long>(seed), static_cast<unsigned long long>(acts),
+                static_cast<unsigned long long>(monkey.frames()), settled_mib, growth);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    // Documents come and go and differ in size; a leak of 4 kB a frame would be 20 MiB in 20 s.
+    EXPECT_LT(growth, 48.0 + 0.02 * length);
+#endif
+}
+
+}  // namespace
+}  // namespace pol
