@@ -4,8 +4,9 @@
 // added beside it.
 //
 // Channels: `S0.580,000000nm` ... `S3.580,000000nm` (FLOAT), `residual` and `tail` (one plane, or one per wavelength as
-// `residual.580,000000nm`), `samples` and `failures` (UINT), `R G B` (HALF, linear sRGB, for other viewers).
-// String attributes: spectralLayoutVersion, emissiveUnits, polarisationHandedness, and ours as `polariscope.NAME`.
+// `residual.580,000000nm`), `sampling_error.S0.580,000000nm` ... (FLOAT), `samples` and `failures` (UINT), `R G B`
+// (HALF, linear sRGB, for other viewers). String attributes: spectralLayoutVersion, emissiveUnits,
+// polarisationHandedness, and ours as `polariscope.NAME`.
 #pragma once
 
 #include <filesystem>

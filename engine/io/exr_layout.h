@@ -11,6 +11,7 @@ namespace pol::exr {
 inline constexpr const char* attribute_prefix = "polariscope.";
 inline constexpr const char* wavelengths_attribute = "polariscope.wavelengths";
 inline constexpr const char* brightest_attribute = "polariscope.brightest";
+inline constexpr const char* sampling_error_layer = "sampling_error";  ///< "sampling_error.S0.580,000000nm"
 inline constexpr const char* handedness_attribute = "polarisationHandedness";
 
 /// Lines that PIZ compresses together; files are written and read in bands of this height.

@@ -93,6 +93,7 @@ struct Layout {
     std::array<Layer, 4> stokes;
     std::vector<std::string> residual;
     std::vector<std::string> tail;
+    std::array<std::vector<std::string>, 4> sampling_error;  ///< by Stokes component
     std::optional<std::string> samples;
     std::optional<std::string> failures;
     bool left_handed = false;
@@ -151,6 +152,16 @@ Result<Layout> layout_of(const Imf::Header& header) {
     Result<std::vector<std::string>> tail = share_channels(names, "tail", layout.stokes[0]);
     if (!tail) return tail.error();
     layout.tail = tail.value();
+    for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
+        const std::string layer = std::string(exr::sampling_error_layer) + "." + exr::stokes_layers[s].name;
+        Result<std::vector<std::string>> channels = share_channels(names, layer, layout.stokes[s]);
+        if (!channels) return channels.error();
+        layout.sampling_error[s] = channels.value();
+        const std::size_t expected = layout.sampling_error[0].empty() ? 0 : layout.stokes[0].size();
+        if (layout.sampling_error[s].size() != expected)
+            return input_error(fmt::format("{} does not have the channels of {}", layer, exr::stokes_layers[0].name),
+                               "render it again");
+    }
     if (header.channels().findChannel("samples") != nullptr) layout.samples = "samples";
     if (header.channels().findChannel("failures") != nullptr) layout.failures = "failures";
 
@@ -239,7 +250,8 @@ Result<StokesImage> read_picture(Imf::InputFile& file) {
     const double height = double{1} + window.max.y - window.min.y;
     const auto wavelengths = static_cast<double>(layout.stokes[0].size());
     const double shares = static_cast<double>(layout.residual.size() + layout.tail.size());
-    const double bytes = width * height * (wavelengths * sizeof(Stokes<double>) + (shares + 1.0) * sizeof(double));
+    const double stokes_planes = wavelengths + static_cast<double>(layout.sampling_error[0].size());
+    const double bytes = width * height * (stokes_planes * sizeof(Stokes<double>) + (shares + 1.0) * sizeof(double));
     if (bytes > max_exr_bytes) {
         return input_error(fmt::format("a picture of {} x {} pixels at {} wavelengths is too large ({:.3g} GiB)", width,
                                        height, wavelengths, bytes / 0x1p30),
@@ -263,6 +275,16 @@ Result<StokesImage> read_picture(Imf::InputFile& file) {
                 image.stokes[offset + pixel].*component = sign * value;
             });
             offset += pixels;
+        }
+    }
+    image.sampling_error.resize(pixels * layout.sampling_error[0].size());
+    for (std::size_t s = 0; s < layout.sampling_error.size(); ++s) {
+        const auto component = exr::stokes_layers[s].component;
+        for (std::size_t w = 0; w < layout.sampling_error[s].size(); ++w) {
+            const std::size_t offset = w * pixels;
+            reader.add(layout.sampling_error[s][w], [&image, component, offset](std::size_t pixel, double value) {
+                image.sampling_error[offset + pixel].*component = value;
+            });
         }
     }
     add_shares(reader, layout.residual, pixels, image.residual);

@@ -83,17 +83,27 @@ void add_share_channels(std::vector<FloatChannel>& channels, const StokesImage& 
     }
 }
 
+/// One channel for each component and wavelength of `planes`, which may be empty.
+void add_stokes_channels(std::vector<FloatChannel>& channels, const StokesImage& image,
+                         const std::vector<Stokes<double>>& planes, const std::string& prefix) {
+    if (planes.empty()) return;
+    POL_EXPECTS(planes.size() == image.stokes.size());
+    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
+        const std::string suffix = wavelength_suffix(image.wavelengths_nm[w]);
+        const std::size_t offset = w * image.pixel_count();
+        for (const exr::StokesLayer& layer : exr::stokes_layers) {
+            channels.push_back(
+                {fmt::format("{}{}.{}", prefix, layer.name, suffix), Imf::FLOAT,
+                 [&planes, offset, layer](std::size_t pixel) { return planes[offset + pixel].*layer.component; }});
+        }
+    }
+}
+
 /// The channels refer to `image` and `preview`.
 Channels channels_of(const StokesImage& image, const std::vector<Rgb>& preview) {
     Channels channels;
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
-        const std::string suffix = wavelength_suffix(image.wavelengths_nm[w]);
-        for (const exr::StokesLayer& layer : exr::stokes_layers) {
-            channels.numbers.push_back(
-                {fmt::format("{}.{}", layer.name, suffix), Imf::FLOAT,
-                 [&image, w, layer](std::size_t pixel) { return image.at(w, pixel).*layer.component; }});
-        }
-    }
+    add_stokes_channels(channels.numbers, image, image.stokes, "");
+    add_stokes_channels(channels.numbers, image, image.sampling_error, std::string(exr::sampling_error_layer) + ".");
     add_share_channels(channels.numbers, image, image.residual, "residual");
     add_share_channels(channels.numbers, image, image.tail, "tail");
     constexpr std::array<const char*, 3> preview_names{"R", "G", "B"};

@@ -57,6 +57,7 @@ double relative_bound(const StokesImage& image, const StokesImage& reference) {
 StokesImage mean_of(const StokesImage& a, const StokesImage& b) {
     StokesImage mean = a;
     for (std::size_t i = 0; i < mean.stokes.size(); ++i) mean.stokes[i] = 0.5 * (a.stokes[i] + b.stokes[i]);
+    mean.sampling_error.clear();
     for (std::size_t i = 0; i < mean.residual.size(); ++i) mean.residual[i] = 0.5 * (a.residual[i] + b.residual[i]);
     if (a.tail.size() == b.tail.size())
         for (std::size_t i = 0; i < mean.tail.size(); ++i) mean.tail[i] = 0.5 * (a.tail[i] + b.tail[i]);
@@ -71,6 +72,7 @@ StokesImage at_wavelengths(const StokesImage& picture, const std::vector<double>
     part.stokes.clear();
     part.residual.clear();
     part.tail.clear();
+    part.sampling_error.clear();
     part.brightest.clear();
     const auto pixels = static_cast<std::ptrdiff_t>(picture.pixel_count());
     for (const double wavelength : wavelengths_nm) {

@@ -59,6 +59,7 @@ StokesImage sample_image(int width, int height, std::vector<double> wavelengths_
         const double base = 1.0 + static_cast<double>(i);
         image.stokes.push_back({base, base / 2.0, -base / 4.0, base / 8.0});
         image.residual.push_back(std::ldexp(base, -20));
+        image.sampling_error.push_back({base / 16.0, base / 32.0, base / 64.0, base / 128.0});
     }
     for (std::size_t i = 0; i < image.pixel_count(); ++i) {
         image.tail.push_back(std::ldexp(static_cast<double>(i), -30));
@@ -116,6 +117,7 @@ TEST_F(ExrFile, GivesBackTheSameNumbersToTheLastBit) {
     EXPECT_EQ(back.stokes, image.stokes);
     EXPECT_EQ(back.residual, image.residual);
     EXPECT_EQ(back.tail, image.tail);
+    EXPECT_EQ(back.sampling_error, image.sampling_error);
     EXPECT_EQ(back.samples, image.samples);
     EXPECT_EQ(back.failures, image.failures);
     EXPECT_EQ(back.brightest, image.brightest);
@@ -169,8 +171,10 @@ TEST_F(ExrFile, FollowsTheSpectralLayoutAsOpenExrSeesIt) {
     std::vector<std::string> names;
     for (auto c = header.channels().begin(); c != header.channels().end(); ++c) names.emplace_back(c.name());
     // OpenEXR sorts by name. No failures, so no such channel.
-    EXPECT_EQ(names, (std::vector<std::string>{"B", "G", "R", "S0.580,000000nm", "S1.580,000000nm", "S2.580,000000nm",
-                                               "S3.580,000000nm", "residual", "samples", "tail"}));
+    EXPECT_EQ(names, (std::vector<std::string>{
+                         "B", "G", "R", "S0.580,000000nm", "S1.580,000000nm", "S2.580,000000nm", "S3.580,000000nm",
+                         "residual", "samples", "sampling_error.S0.580,000000nm", "sampling_error.S1.580,000000nm",
+                         "sampling_error.S2.580,000000nm", "sampling_error.S3.580,000000nm", "tail"}));
     EXPECT_EQ(header.channels()["S0.580,000000nm"].type, Imf::FLOAT);
     EXPECT_EQ(header.channels()["samples"].type, Imf::UINT);
     EXPECT_EQ(header.compression(), Imf::PIZ_COMPRESSION);

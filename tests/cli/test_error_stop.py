@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`render --error`: stops when the picture is good enough, says why, and what there is if it cannot be."""
+
+import json
+import re
+
+from program import SCENES, ProgramTest, main
+
+GLASS = (SCENES / "paper-glass-polarized.yaml", "--size", "40x40")
+PASS = re.compile(r"^(\d+) samples? per pixel, .*: bound of truncation (\S+), estimate of sampling (.*)$", re.M)
+
+
+class ErrorStop(ProgramTest):
+    def render(self, *options, code=0):
+        done = self.run_program("render", *options, "-o", "out.exr", "--stats", "out.json")
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done, json.loads((self.folder / "out.json").read_text())
+
+    def test_samples_are_added_pass_by_pass_until_the_error_is_reached(self):
+        done, said = self.render(*GLASS, "--error", "0.1")
+        passes = PASS.findall(done.stderr)
+        self.assertEqual([int(samples) for samples, _, _ in passes], [p["samples"] for p in said["error_rule"]["passes"]])
+        self.assertEqual(passes[-1][0], str(said["spp"]))
+        self.assertGreaterEqual(said["spp"], 8)
+        self.assertIn("not known yet", passes[0][2])
+        self.assertIn("(68 %)", passes[-1][2])
+        self.assertEqual(said["stop_reason"], "error")
+        self.assertEqual(said["mode"], "area")
+        self.assertEqual(said["error_rule"]["target"], 0.1)
+        self.assertLessEqual(said["error"]["truncation"], 0.05)
+        self.assertLessEqual(said["error"]["sampling"], 0.05)
+        self.assertGreater(said["error_rule"]["passes"][-2]["sampling"], 0.05, "it could have stopped before")
+        self.assertEqual(said["error_rule"]["last_to_fall"], "sampling")
+        self.assertIn("sampling was the last to fall", done.stdout)
+        self.assertEqual(said["camera_samples"], 40 * 40 * said["spp"])
+
+    def test_the_residual_is_refined_where_light_is_missing(self):
+        done, said = self.render(*GLASS, "--residual", "0.5", "--error", "0.1")
+        self.assertIn("too much light is untraced: residual", done.stderr)
+        self.assertLess(said["residual_target"], 0.1)
+        self.assertLessEqual(said["error"]["truncation"], 0.05)
+        # The picture is the one that the settings it ended with make.
+        again = (*GLASS, "--mode", "area", "--residual", repr(said["residual_target"]), "--spp", said["spp"])
+        self.succeed("render", *again, "-o", "again.exr", "--quiet")
+        for name in ("out", "again"):
+            self.succeed("maps", f"{name}.exr", "--map", "dop", "-o", f"{name}.png")
+        self.assertEqual((self.folder / "out.png").read_bytes(), (self.folder / "again.png").read_bytes())
+
+    def test_in_mode_point_the_bound_is_the_error(self):
+        done, said = self.render(*GLASS, "--mode", "point", "--residual", "0.5", "--error", "0.1")
+        self.assertEqual((said["mode"], said["spp"], said["error"]["sampling"]), ("point", 1, 0.0))
+        self.assertEqual(said["error_rule"]["last_to_fall"], "truncation")
+        self.assertIn("truncation was the last to fall", done.stdout)
+
+    def test_what_ends_it_before_gives_exit_code_10_and_a_picture(self):
+        calcite = (SCENES / "paper-calcite-unpolarized.yaml", "--size", "256x256")
+        for options, reason, says in (((*calcite, "--error", "1e-4", "--time", "1"), "time", "time limit"),
+                                      ((*GLASS, "--error", "1e-3", "--spp", "4"), "samples", "--spp"),
+                                      ((*GLASS, "--error", "1e-3", "--depth", "2"), "truncation", "--depth")):
+            with self.subTest(reason):
+                done, said = self.render(*options, code=10)
+                self.assertEqual(said["stop_reason"], reason)
+                self.assertIn(says, done.stderr)
+                self.assertIsNone(said["error_rule"]["last_to_fall"])
+                self.succeed("maps", "out.exr", "--map", "intensity", "-o", "out.png")
+
+    def test_quiet_is_quiet(self):
+        done, _ = self.render(*GLASS, "--error", "0.2", "--quiet")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_an_impossible_error_is_refused(self):
+        for error in ("0", "-1", "nan", "inf", "10", "x"):
+            with self.subTest(error):
+                self.refuse(2, ["--error"], "render", *GLASS, "-o", "out.exr", "--error", error)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// The error rule: what it promises is held against a much deeper render with other random numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/render_scene.h"
+
+namespace pol {
+namespace {
+
+Scene small(const std::string& name, int size, int node_budget) {
+    Scene scene = test::shipped_scene(name);
+    scene.render.width = scene.render.height = size;
+    scene.render.mode = SampleMode::area;
+    scene.render.samples_per_pixel = 1 << 20;
+    scene.render.node_budget = node_budget;
+    return scene;
+}
+
+struct Stopped {
+    StokesImage image;
+    RenderProgress progress;
+    double residual = 0.0;
+};
+
+/// Renders until the rule ends it, with finer residuals as it asks for them.
+Stopped render_to(Scene scene, double error, int threads = 2) {
+    Renderer renderer(threads, 16);
+    RenderOptions options;
+    options.stop.error = error;
+    for (;;) {
+        renderer.start(test::plan_of(scene), options);
+        while (!renderer.wait_for(1.0)) {
+        }
+        const RenderProgress progress = renderer.progress();
+        if (progress.reason != StopReason::truncation) return {renderer.snapshot(), progress, scene.render.residual};
+        const auto finer = finer_residual(progress.reports.back(), scene.render.residual, error);
+        if (!finer) throw std::runtime_error("no residual is fine enough");
+        scene.render.residual = *finer;
+    }
+}
+
+double frobenius_square(const Stokes<double>& s) {
+    return 0.5 * (s.s0 * s.s0 + s.s1 * s.s1 + s.s2 * s.s2 + s.s3 * s.s3);
+}
+
+struct Comparison {
+    double error = 0.0;   ///< fro_c against the reference
+    double spread = 0.0;  ///< relative standard deviation of error^2 / estimate^2, an upper estimate
+};
+
+Comparison compare(const StokesImage& image, const StokesImage& reference) {
+    double error = 0.0;
+    double light = 0.0;
+    double half = 0.0;
+    double half_square = 0.0;
+    for (std::size_t p = 0; p < image.pixel_count(); ++p) {
+        error += frobenius_square(image.at(0, p) - reference.at(0, p));
+        light += frobenius_square(reference.at(0, p));
+        const double h = frobenius_square(image.sampling_error[p]);
+        half += h;
+        half_square += h * h;
+    }
+    // Pixels are independent: the variance of a sum of squares is at most the sum of their squares; twice, since the
+    // error itself is as random as its estimate.
+    return {std::sqrt(error / light), std::sqrt(2.0 * half_square) / half};
+}
+
+void expect_an_honest_stop(Scene scene, double target, int reference_samples) {
+    const Stopped stopped = render_to(scene, target);
+    EXPECT_EQ(stopped.progress.reason, StopReason::error);
+    const PictureError& estimate = stopped.progress.film.error;
+    ASSERT_TRUE(estimate.sampling);
+    EXPECT_LE(estimate.truncation, 0.5 * target);
+    EXPECT_LE(*estimate.sampling, 0.5 * target);
+
+    scene.render.residual = 0.1 * stopped.residual;
+    scene.render.samples_per_pixel = reference_samples;
+    scene.render.seed = 77;
+    ASSERT_GE(reference_samples, 16 * static_cast<int>(stopped.progress.film.fewest_samples))
+        << "its own error must not count";
+    const StokesImage reference = test::render(test::plan_of(scene), 2);
+    const Comparison found = compare(stopped.image, reference);
+    // Four standard deviations of the ratio of the roots; 5 % for the error of the reference, which has 16 times the
+    // samples of the render: (1/16)^(3/2) of its mean square error with quasi-random samples, 1/16 with random ones.
+    const double tolerance = 1.05 + 4.0 * 0.5 * found.spread;
+    ASSERT_LT(tolerance, 1.5) << "too few pixels to judge";
+    EXPECT_LE(found.error, *estimate.sampling * tolerance + estimate.truncation);
+    EXPECT_GE(found.error + estimate.truncation, *estimate.sampling / tolerance);
+    EXPECT_LE(found.error, 0.5 * target * (1.0 + tolerance));
+}
+
+TEST(ErrorStop, GlassIsAsGoodAsItSays) {
+    expect_an_honest_stop(small("paper-glass-polarized", 48, 1000), 0.1, 512);
+}
+
+// Every ray splits in calcite, and one random path stands for most branches: noise of another kind than that of edges.
+TEST(ErrorStop, CalciteIsAsGoodAsItSays) {
+    expect_an_honest_stop(small("paper-calcite-unpolarized", 32, 20), 0.2, 512);
+}
+
+TEST(ErrorStop, APictureThatIsStoppedIsTheOneWithAsManySamples) {
+    const Scene scene = small("paper-glass-polarized", 40, 1000);
+    const Stopped one = render_to(scene, 0.2, 1);
+    const Stopped three = render_to(scene, 0.2, 3);
+    EXPECT_EQ(one.image.stokes, three.image.stokes);
+    EXPECT_EQ(one.image.sampling_error, three.image.sampling_error);
+    Scene plain = scene;
+    plain.render.residual = one.residual;
+    plain.render.samples_per_pixel = static_cast<int>(one.progress.film.fewest_samples);
+    EXPECT_EQ(test::render(plain).stokes, one.image.stokes);
+}
+
+ErrorReport report(std::uint32_t samples, double truncation, std::optional<double> sampling) {
+    ErrorReport report;
+    report.samples = samples;
+    report.error.random_samples = true;
+    report.error.truncation = truncation;
+    report.error.sampling = sampling;
+    return report;
+}
+
+TEST(ErrorStop, EachPartMayTakeHalf) {
+    EXPECT_EQ(judge(report(16, 0.04, 0.05), 0.1), StopReason::error);
+    EXPECT_EQ(judge(report(16, 0.06, 0.01), 0.1), StopReason::truncation);
+    EXPECT_EQ(judge(report(16, 0.04, 0.06), 0.1), StopReason::none);
+    EXPECT_EQ(judge(report(4, 0.04, 0.05), 0.1), StopReason::none) << "too few samples to believe";
+    EXPECT_EQ(judge(report(1, 0.04, std::nullopt), 0.1), StopReason::none);
+    ErrorReport point = report(1, 0.04, 0.0);
+    point.error.random_samples = false;
+    EXPECT_EQ(judge(point, 0.1), StopReason::error);
+}
+
+TEST(ErrorStop, ThePartThatStayedTooLargeTheLongestFellLast) {
+    const ErrorReport both = report(8, 0.09, 0.2);
+    const ErrorReport truncated = report(8, 0.09, 0.01);
+    const ErrorReport noisy = report(8, 0.01, 0.2);
+    const ErrorReport good = report(16, 0.01, 0.01);
+    EXPECT_EQ(last_to_fall({both, noisy, good}, 0.1), ErrorPart::sampling);
+    EXPECT_EQ(last_to_fall({both, truncated, good}, 0.1), ErrorPart::truncation);
+    EXPECT_EQ(last_to_fall({both, good}, 0.1), ErrorPart::sampling);
+    EXPECT_EQ(last_to_fall({good}, 0.1), std::nullopt);
+    EXPECT_EQ(last_to_fall({both, noisy}, 0.1), std::nullopt);
+}
+
+TEST(ErrorStop, AFinerResidualIsInProportionAndHasAnEnd) {
+    EXPECT_DOUBLE_EQ(*finer_residual(report(1, 0.5, 0.1), 1e-3, 0.1), 0.5e-4);
+    EXPECT_FALSE(finer_residual(report(1, 0.5, 0.1), 0.0, 0.1)) << "the depth alone cuts";
+    EXPECT_FALSE(finer_residual(report(1, 1.0, 0.1), 1e-9, 0.1));
+    EXPECT_FALSE(finer_residual(report(1, std::numeric_limits<double>::infinity(), 0.0), 1e-3, 0.1)) << "black";
+}
+
+}  // namespace
+}  // namespace pol
