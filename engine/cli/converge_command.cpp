@@ -15,8 +15,10 @@
 #include "cli/progress_line.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
+#include "io/output_file.h"
 #include "render/renderer.h"
 #include "verify/convergence.h"
+#include "verify/convergence_report.h"
 #include "verify/convergence_summary.h"
 
 namespace pol {
@@ -81,7 +83,43 @@ void print_summary(const verify::ConvergenceResult& result, const std::filesyste
     const double coverage = verify::worst_bound_coverage(result.rows);
     if (!std::isnan(coverage))
         fmt::print("\nbounds hold in {:.2f} % of the pixels (must be 100.00)\n", 100.0 * coverage);
-    fmt::print("{}\n", printable((folder / "runs.csv").string()));
+    fmt::print("{}\n", printable((folder / "report.html").string()));
+}
+
+Result<Done> write_text(const std::filesystem::path& path, const std::string& text) {
+    auto file = OutputFile::create(path);
+    if (!file) return file.error();
+    file.value()->write(text.data(), text.size());
+    return file.value()->commit();
+}
+
+Result<Done> write_report(const verify::ConvergenceRequest& work, const verify::ConvergenceResult& result,
+                          const std::string& command) {
+    const auto pictures = verify::budget_pictures(work, result);
+    if (!pictures) return pictures.error();
+    for (const verify::NamedPlot& named : verify::convergence_plots(result))
+        if (auto done = write_text(work.folder / (named.name + ".svg"), verify::plot_svg(named.plot)); !done)
+            return done;
+    return write_text(work.folder / "report.html", verify::convergence_html(work, result, pictures.value(), command));
+}
+
+/// The command line that makes the report again.
+std::string command_text(const ConvergeRequest& request) {
+    std::string text = "polariscope converge " + request.scene.scene + " -o " + request.folder;
+    const auto add = [&](const char* name, const auto& value) {
+        if (value) text += fmt::format(" {} {}", name, *value);
+    };
+    add("--size", request.scene.size);
+    add("--spp", request.scene.samples);
+    add("--mode", request.scene.mode);
+    add("--residual", request.scene.residual);
+    add("--depth", request.scene.depth);
+    add("--node-budget", request.scene.node_budget);
+    add("--wavelengths", request.scene.wavelengths);
+    add("--seed", request.scene.seed);
+    add("--threads", request.threads);
+    if (!request.reference.empty()) text += " --reference " + request.reference;
+    return text + fmt::format(" --seeds {}", request.seeds);
 }
 
 std::optional<Error> unusable(const ConvergeRequest& request) {
@@ -130,6 +168,8 @@ int run(const ConvergeRequest& request) {
     line.finish();
     if (!result) return report(result.error());
     if (result.value().rows.empty()) return 128 + static_cast<int>(caught_signal);
+    if (const auto written = write_report(work, result.value(), command_text(request)); !written)
+        return report(written.error());
     print_summary(result.value(), request.folder);
     if (!result.value().complete) {
         fmt::print(stderr, "polariscope: stopped; the same command goes on where it was\n");
@@ -146,7 +186,9 @@ void add_converge_command(CLI::App& app, int& exit_code) {
     auto request = std::make_shared<ConvergeRequest>();
     CLI::App* command = app.add_subcommand("converge", "Measure error against run time over many settings of a scene");
     add_scene_options(*command, request->scene);
-    command->add_option("-o,--output", request->folder, "Folder for runs.csv, reference.exr and the report")
+    command
+        ->add_option("-o,--output", request->folder,
+                     "Folder for report.html, its plots as SVG, runs.csv and reference.exr")
         ->required();
     command->add_option("--reference", request->reference, "Stokes picture to measure against instead of our own");
     command->add_option("--seeds", request->seeds, "Runs of each setting, with different random numbers")

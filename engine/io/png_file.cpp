@@ -16,7 +16,8 @@ namespace {
 
 static_assert(sizeof(Rgb8) == 3, "libpng reads the pixels as packed triples");
 
-/// The file's bytes; empty if libpng failed, which only lack of memory can make it.
+}  // namespace
+
 std::vector<std::uint8_t> png_bytes(const RgbPicture& picture) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
@@ -30,8 +31,6 @@ std::vector<std::uint8_t> png_bytes(const RgbPicture& picture) {
     bytes.resize(size);
     return bytes;
 }
-
-}  // namespace
 
 Result<Done> write_png(const RgbPicture& picture, const std::filesystem::path& path) {
     if (picture.width <= 0 || picture.height <= 0) {

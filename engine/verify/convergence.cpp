@@ -227,7 +227,7 @@ Result<Done> Sweep::find_reference() {
     RenderSettings deep = request_.scene.render;
     const bool area = deep.mode == SampleMode::area;
     deep.depth.reset();
-    deep.residual = smallest / 30.0;
+    deep.residual = 0.03 * smallest;
     deep.node_budget = 8 * largest_budget;
     deep.samples_per_pixel = area ? 8 * most_samples : 1;
     Scene probe = request_.scene;
