@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture as maps::evaluate and maps::colorize would have it, one fragment per device pixel of the viewport.
-// After measures.glsl, bounds.glsl and the constants of picture_renderer.cpp (quantity_..., state_...).
+// After measures.glsl, bounds.glsl and the constants of picture_renderer.cpp: quantity_..., state_..., and what this
+// variant is for: `quantity`, `over_intensity`, `is_reduced`. A software rasterizer runs both sides of every branch, so
+// one program for all maps would cost as much as all of them.
 
 uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the bench
 uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S0 of darkness (negative: no sample yet)
 uniform sampler2D red;           // red of S0, S1, S2, S3 as the color picture weighs them, before the bench
 uniform sampler2D green;
 uniform sampler2D blue;
-uniform sampler2D scale_colors;  // one row, linear sRGB
+uniform sampler2D scale_colors;  // two rows: linear sRGB, and as it is encoded for the screen
 
 uniform vec2 origin;             // of the picture in the viewport, device pixels, y down
 uniform float zoom;              // device pixels per pixel of the picture
@@ -15,7 +17,6 @@ uniform float hatch;             // points per pixel of the picture
 uniform float viewport_height;   // device pixels
 uniform vec4 background;
 
-uniform int quantity;
 uniform float low;               // value at the beginning of the scale
 uniform float high;              // value at its end
 uniform float brightest;         // trace bound of the light that any path can bring
@@ -28,7 +29,6 @@ uniform vec4 bench_row;          // S0 behind the bench
 uniform float gain;
 uniform float offset;
 uniform float gamma;
-uniform bool over_intensity;
 uniform vec3 ground;             // linear, what fading ends in
 uniform vec3 state_colors[state_count];  // sRGB, by state
 uniform vec3 hatch_dark;
@@ -45,30 +45,39 @@ struct Light {
     bool is_sampled;
 };
 
-// Light of the pixels low <= p <= high: Stokes vectors add, maps of them do not. A defect counts as the worst of all.
-Light light_of(ivec2 first, ivec2 last) {
-    bool needs_color = quantity == quantity_color || over_intensity;
+const bool needs_color = quantity == quantity_color || over_intensity;
+// Properties of the polarized part, which fade with it.
+const bool is_of_direction =
+    quantity == quantity_ellipticity || quantity == quantity_azimuth || quantity == quantity_handedness;
+
+Light light_at(ivec2 at) {
+    vec4 error = texelFetch(left_out, at, 0);
+    vec3 color = vec3(0.0);
+    if (needs_color) {
+        vec4 r = texelFetch(red, at, 0);
+        vec4 g = texelFetch(green, at, 0);
+        vec4 b = texelFetch(blue, at, 0);
+        color = has_bench ? vec3(dot(bench_row, r), dot(bench_row, g), dot(bench_row, b)) : vec3(r.x, g.x, b.x);
+    }
+    return Light(texelFetch(stokes, at, 0), error.x, error.y, error.z, error.w, color, error.w >= 0.0);
+}
+
+// Mean of the pixels first <= p <= last, of at most 8 x 8 of them: light adds, maps of it do not. The worst defect counts.
+Light mean_light(ivec2 first, ivec2 last) {
     ivec2 stride = max(ivec2(1), (last - first + 8) / 8);
     Light mean = Light(vec4(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), false);
     float count = 0.0;
     for (int y = first.y; y <= last.y; y += stride.y) {
         for (int x = first.x; x <= last.x; x += stride.x) {
-            ivec2 at = ivec2(x, y);
-            vec4 error = texelFetch(left_out, at, 0);
-            if (error.w < 0.0) continue;
+            Light one = light_at(ivec2(x, y));
+            if (!one.is_sampled) continue;
             count += 1.0;
-            mean.stokes += texelFetch(stokes, at, 0);
-            mean.residual += error.x;
-            mean.surplus += error.y;
-            mean.unphysical = isnan(error.z) || error.z > mean.unphysical ? error.z : mean.unphysical;
-            mean.dark += error.w;
-            if (needs_color) {
-                vec4 r = texelFetch(red, at, 0);
-                vec4 g = texelFetch(green, at, 0);
-                vec4 b = texelFetch(blue, at, 0);
-                mean.color += has_bench ? vec3(dot(bench_row, r), dot(bench_row, g), dot(bench_row, b))
-                                        : vec3(r.x, g.x, b.x);
-            }
+            mean.stokes += one.stokes;
+            mean.residual += one.residual;
+            mean.surplus += one.surplus;
+            if (isnan(one.unphysical) || one.unphysical > mean.unphysical) mean.unphysical = one.unphysical;
+            mean.dark += one.dark;
+            mean.color += one.color;
         }
     }
     mean.is_sampled = count > 0.0;
@@ -117,7 +126,6 @@ MapPixel evaluate(Light light) {
     float weight = 1.0;
     bool is_defined = true;
     bool is_determined = true;
-    bool is_of_direction = false;
     if (quantity == quantity_dop) {
         value = m.dop;
         is_determined = dop_bar.y - dop_bar.x < 0.5;
@@ -134,20 +142,17 @@ MapPixel evaluate(Light light) {
         weight = m.dop / full_weight;
         is_defined = m.has_polarization;
         is_determined = bar.y - bar.x < 0.5;
-        is_of_direction = true;
     } else if (quantity == quantity_handedness) {
         vec2 bar = ellipticity_angle_bounds(m, radius);
         value = m.chirality;
         weight = m.dop / full_weight;
         is_defined = m.has_polarization;
         is_determined = bar.y - bar.x < pi / 4.0;
-        is_of_direction = true;
     } else if (quantity == quantity_azimuth) {
         value = degrees(m.azimuth);
         weight = m.dolp / full_weight;
         is_defined = m.has_azimuth;
         is_determined = azimuth_bound(m, radius) < pi / 4.0;
-        is_of_direction = true;
     } else if (quantity == quantity_s1 || quantity == quantity_s2 || quantity == quantity_s3) {
         float part = quantity == quantity_s1 ? s.y : quantity == quantity_s2 ? s.z : s.w;
         value = part / s.x;
@@ -181,13 +186,10 @@ vec3 developed(vec3 light) {
     return gamma == 1.0 ? shifted : pow(max(shifted, vec3(0.0)), vec3(1.0 / gamma));
 }
 
-// Linear between the nodes of the scale, which stand at every kink.
-vec3 scale_color(float t) {
-    int last = textureSize(scale_colors, 0).x - 1;
-    float place = clamp(t, 0.0, 1.0) * float(last);
-    int node = min(int(place), last - 1);
-    return mix(texelFetch(scale_colors, ivec2(node, 0), 0).rgb, texelFetch(scale_colors, ivec2(node + 1, 0), 0).rgb,
-               place - float(node));
+// The texture's filter is linear between the nodes of the scale, which stand at every kink.
+vec3 scale_color(float t, bool encoded) {
+    float nodes = float(textureSize(scale_colors, 0).x);
+    return texture(scale_colors, vec2((clamp(t, 0.0, 1.0) * (nodes - 1.0) + 0.5) / nodes, encoded ? 0.75 : 0.25)).rgb;
 }
 
 // sRGB of the shown map; `at` in points from the picture's corner.
@@ -201,7 +203,8 @@ vec3 map_color(Light light, ivec2 at) {
     if (pixel.state != state_defined) return state_colors[pixel.state];
     float t = (pixel.value - low) / (high - low);
     if (quantity == quantity_intensity) t = developed(vec3(t)).x;
-    return srgb_encode(mix(ground, scale_color(t), fades ? pixel.weight : 1.0));
+    if (!is_of_direction) return scale_color(t, true);
+    return srgb_encode(mix(ground, scale_color(t, false), fades ? pixel.weight : 1.0));
 }
 
 void main() {
@@ -211,14 +214,15 @@ void main() {
     fragment = background;
     if (any(lessThan(p, vec2(0.0))) || any(greaterThanEqual(p, vec2(size)))) return;
 
-    ivec2 first = ivec2(p);
-    ivec2 last = first;
-    if (zoom < 1.0) {
+    Light light;
+    if (is_reduced) {
         // Pixels whose centers lie under this device pixel: every one of the picture is under exactly one.
-        first = max(ivec2(ceil(p - 0.5 / zoom - 0.5)), ivec2(0));
-        last = min(ivec2(ceil(p + 0.5 / zoom - 0.5)) - 1, size - 1);
+        ivec2 first = max(ivec2(ceil(p - 0.5 / zoom - 0.5)), ivec2(0));
+        ivec2 last = min(ivec2(ceil(p + 0.5 / zoom - 0.5)) - 1, size - 1);
+        light = mean_light(first, last);
+    } else {
+        light = light_at(ivec2(p));
     }
-    Light light = light_of(first, last);
     if (!light.is_sampled) return;
     vec3 shown = map_color(light, ivec2(p * hatch));
     if (over_intensity && quantity != quantity_color) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/picture_renderer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <compare>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/contract.h"
 #include "maps/evaluate.h"
 #include "spectrum/illuminant.h"
 #include "viewer/gl/float_texture.h"
@@ -57,8 +61,8 @@ Float3 encoded(const Rgb8& color) {
     return to_single3(Rgb{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0});
 }
 
-/// Colors of the states, by state; the hatch's light stripes for `undetermined`. The paper's style has only black and
-/// the color of defects.
+/// Colors of the states, by state; the hatch's light stripes for
+/// `undetermined`. The paper's style has only black and the color of defects.
 std::array<Float3, pixel_state_count> state_colors(MapStyle style) {
     std::array<Float3, pixel_state_count> colors{};
     for (const PixelState state :
@@ -79,14 +83,46 @@ Float3 fade_ground() {
     return to_single3(Rgb{srgb_decode(color[0] / 255.0), srgb_decode(color[1] / 255.0), srgb_decode(color[2] / 255.0)});
 }
 
+/// Two rows: linear, and encoded for the screen.
 void write_scale(FloatTexture& texture, ColorScale scale) {
-    std::vector<Float4> nodes;
+    std::vector<Float4> linear;
+    std::vector<Float4> encoded_too;
     for (int i = 0; i < scale_nodes; ++i) {
         const Rgb color = scale_color(scale, i / (scale_nodes - 1.0));
-        nodes.push_back(to_single(color[0], color[1], color[2], 1.0));
+        const auto signal = [&](std::size_t c) { return std::clamp(srgb_encode(color[c]), 0.0, 1.0); };
+        linear.push_back(to_single(color[0], color[1], color[2], 1.0));
+        encoded_too.push_back(to_single(signal(0), signal(1), signal(2), 1.0));
     }
-    texture.resize(scale_nodes, 1);
-    texture.write({0, 0, scale_nodes, 1}, nodes);
+    texture.resize(scale_nodes, 2, GL_LINEAR);
+    texture.write({0, 0, scale_nodes, 1}, linear);
+    texture.write({0, 1, scale_nodes, 2}, encoded_too);
+}
+
+/// What a program is made for; the rest are uniforms.
+struct Variant {
+    Quantity quantity{};
+    bool over_intensity = false;
+    bool is_reduced = false;  ///< several pixels of the picture under one of the screen
+    friend auto operator<=>(const Variant&, const Variant&) = default;
+};
+
+Result<Program> program_for(const Variant& variant) {
+    const auto is = [](bool value) { return value ? "true" : "false"; };
+    const std::string chosen = shader_constants() +
+                               "const int quantity = " + std::to_string(static_cast<int>(variant.quantity)) +
+                               ";\nconst bool over_intensity = " + is(variant.over_intensity) +
+                               ";\nconst bool is_reduced = " + is(variant.is_reduced) + ";\n";
+    using namespace shader_sources;
+    auto program = Program::link({fullscreen_vert()}, {measures_glsl(), bounds_glsl(), chosen, map_frag()});
+    if (!program) return program;
+    program.value().use();
+    program.value().set("stokes", unit_stokes);
+    program.value().set("left_out", unit_left_out);
+    program.value().set("red", unit_red);
+    program.value().set("green", unit_green);
+    program.value().set("blue", unit_blue);
+    program.value().set("scale_colors", unit_scale);
+    return program;
 }
 
 /// All that a drawn view depends on but for the textures' contents.
@@ -96,7 +132,7 @@ struct Drawn {
     Float2 origin{};
     float zoom = 1.0F;
     float hatch = 1.0F;
-    Quantity quantity{};
+    Variant variant;
     MapStyle style{};
     ColorScale scale{};
     float low = 0.0F;
@@ -108,7 +144,6 @@ struct Drawn {
     float gain = 1.0F;
     float offset = 0.0F;
     float gamma = 1.0F;
-    bool over_intensity = false;
     friend bool operator==(const Drawn&, const Drawn&) = default;
 };
 
@@ -125,7 +160,8 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
                     to_single(session.transform.offset.y * pixel_ratio)};
     drawn.zoom = to_single(session.transform.scale * pixel_ratio);
     drawn.hatch = to_single(session.transform.scale);
-    drawn.quantity = view.quantity;
+    const bool is_picture = view.quantity == Quantity::color;
+    drawn.variant = {view.quantity, view.over_intensity && !is_picture, drawn.zoom < 1.0F};
     drawn.style = view.style;
     drawn.scale = look.scale;
     drawn.low = to_single(look.range.low);
@@ -137,7 +173,6 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     drawn.gain = to_single(std::exp2(view.exposure));
     drawn.offset = to_single(view.offset);
     drawn.gamma = to_single(view.gamma);
-    drawn.over_intensity = view.over_intensity;
     return drawn;
 }
 
@@ -147,7 +182,6 @@ void set_uniforms(const Program& program, const Drawn& drawn) {
     program.set("zoom", drawn.zoom);
     program.set("hatch", drawn.hatch);
     program.set("background", background);
-    program.set("quantity", static_cast<int>(drawn.quantity));
     program.set("low", drawn.low);
     program.set("high", drawn.high);
     program.set("brightest", drawn.brightest);
@@ -160,7 +194,6 @@ void set_uniforms(const Program& program, const Drawn& drawn) {
     program.set("gain", drawn.gain);
     program.set("offset", drawn.offset);
     program.set("gamma", drawn.gamma);
-    program.set("over_intensity", drawn.over_intensity ? 1 : 0);
     program.set("ground", fade_ground());
     program.set("state_colors", state_colors(drawn.style));
     program.set("hatch_dark", dark_stripes(drawn.style));
@@ -169,9 +202,7 @@ void set_uniforms(const Program& program, const Drawn& drawn) {
 }  // namespace
 
 struct PictureRenderer::Gpu {
-    explicit Gpu(Program map_program) : program(std::move(map_program)) {}
-
-    Program program;
+    std::map<Variant, Program> programs;  ///< made when first needed
     VertexArrayName no_vertices;
     RenderTarget target{GL_RGBA8};
     FloatTexture stokes;
@@ -180,8 +211,7 @@ struct PictureRenderer::Gpu {
     FloatTexture scale;
 
     // What the textures hold.
-    const Document* document = nullptr;
-    std::uint64_t layout = 0;
+    std::optional<std::uint64_t> layout;  ///< none: no picture
     std::size_t wavelength = 0;
     Bench bench;
     std::optional<ColorScale> scale_shown;
@@ -194,38 +224,31 @@ PictureRenderer::PictureRenderer(std::unique_ptr<Gpu> gpu) : gpu_(std::move(gpu)
 PictureRenderer::~PictureRenderer() = default;
 
 Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create() {
-    using namespace shader_sources;
-    auto program = Program::link({fullscreen_vert()}, {measures_glsl(), bounds_glsl(), shader_constants(), map_frag()});
+    auto gpu = std::make_unique<Gpu>();
+    const Variant first{};
+    auto program = program_for(first);
     if (!program) return program.error();
-    auto gpu = std::make_unique<Gpu>(std::move(program).value());
-    gpu->program.use();
-    gpu->program.set("stokes", unit_stokes);
-    gpu->program.set("left_out", unit_left_out);
-    gpu->program.set("red", unit_red);
-    gpu->program.set("green", unit_green);
-    gpu->program.set("blue", unit_blue);
-    gpu->program.set("scale_colors", unit_scale);
+    gpu->programs.emplace(first, std::move(program).value());
     return std::unique_ptr<PictureRenderer>(new PictureRenderer(std::move(gpu)));
 }
 
 void PictureRenderer::upload(Session& session) {
     Document* document = session.current();
     if (document == nullptr || document->picture().pixel_count() == 0) {
-        gpu_->document = nullptr;
+        gpu_->layout.reset();
         return;
     }
     const StokesImage& picture = document->picture();
     const TileRect everything{0, 0, picture.width, picture.height};
     const std::vector<TileRect> changes = document->take_changes();
 
-    const bool is_new = document != gpu_->document || document->picture_layout() != gpu_->layout;
+    const bool is_new = gpu_->layout != document->picture_layout();
     const bool is_other_light = session.view.wavelength != gpu_->wavelength || session.bench != gpu_->bench;
     if (is_new) {
         gpu_->stokes.resize(picture.width, picture.height);
         gpu_->left_out.resize(picture.width, picture.height);
         for (FloatTexture& channel : gpu_->color) channel.resize(picture.width, picture.height);
     }
-    gpu_->document = document;
     gpu_->layout = document->picture_layout();
     gpu_->wavelength = session.view.wavelength;
     gpu_->bench = session.bench;
@@ -255,8 +278,8 @@ void PictureRenderer::upload(Session& session) {
 }
 
 std::uint32_t PictureRenderer::render(const Session& session, int width, int height, double pixel_ratio) {
-    const bool has_picture = gpu_->document != nullptr && gpu_->document == session.current();
-    if (!has_picture) {
+    const Document* document = session.current();
+    if (document == nullptr || gpu_->layout != document->picture_layout()) {
         gpu_->drawn.reset();
         gpu_->target.begin(width, height);
         glClearColor(background[0], background[1], background[2], background[3]);
@@ -267,6 +290,14 @@ std::uint32_t PictureRenderer::render(const Session& session, int width, int hei
     const Drawn drawn = what_to_draw(session, width, height, pixel_ratio);
     if (gpu_->drawn == drawn) return gpu_->target.texture();
     gpu_->drawn = drawn;
+    if (!gpu_->programs.contains(drawn.variant)) {
+        // Variants differ by constants only, so they all compile if the first one
+        // did.
+        auto program = program_for(drawn.variant);
+        POL_EXPECTS(program);
+        gpu_->programs.emplace(drawn.variant, std::move(program).value());
+    }
+    const Program& program = gpu_->programs.at(drawn.variant);
 
     gpu_->target.begin(width, height);
     if (gpu_->scale_shown != drawn.scale) write_scale(gpu_->scale, drawn.scale);
@@ -277,8 +308,8 @@ std::uint32_t PictureRenderer::render(const Session& session, int width, int hei
     gpu_->color[1].bind(unit_green);
     gpu_->color[2].bind(unit_blue);
     gpu_->scale.bind(unit_scale);
-    gpu_->program.use();
-    set_uniforms(gpu_->program, drawn);
+    program.use();
+    set_uniforms(program, drawn);
     glBindVertexArray(gpu_->no_vertices.id());
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
