@@ -116,6 +116,7 @@ void Interface::draw_tabs(Session& session, Frame& /*frame*/, Stack stack) {
     tab(upper, "Pixel", [&] { pixel_.draw(session); });
     tab(lower, "Paths", [&] { paths_.draw(session); });
     tab(lower, "Table", [&] { rays_.draw(session); });
+    tab(lower, "3-D", [&] { space_.draw(session); });
     ImGui::EndTabBar();
 }
 

@@ -13,6 +13,7 @@
 #include "viewer/panels/picture_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
+#include "viewer/panels/space_panel.h"
 #include "viewer/panels/welcome.h"
 #include "viewer/session.h"
 
@@ -39,6 +40,7 @@ private:
     PixelPanel pixel_;
     PathsPanel paths_;
     RayTablePanel rays_;
+    SpacePanel space_;
     Welcome welcome_;
     LogPanel log_;
     CommandPalette palette_;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paths of a pixel's tree as lines in space, and the light on one of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tracer/explain.h"
+#include "viewer/space_view.h"
+
+namespace pol {
+
+/// What a branch is, for its color. The mode of a crystal goes before how the branch came to be.
+enum class PathKind : std::uint8_t { camera, reflected, refracted, sheet, ordinary, extraordinary, lost };
+inline constexpr std::size_t path_kind_count = 7;
+
+/// As the legend has it.
+std::string_view name_of(PathKind kind);
+
+/// `lost`: what came along the branch is not known (residual, depth, budget, failure).
+PathKind kind_of(const RayTreeNode& node);
+
+struct PathSegment {
+    SpaceLine line;  ///< from where the backward ray left to where it arrived
+    PathKind kind{};
+    double weight = 0.0;  ///< share of the pixel's throughput, 0 to 1
+    int node = -1;        ///< index into RayTree::nodes
+};
+
+/// Segments of the `most` heaviest branches, heaviest last (on top). A branch that met nothing is `open_length` long.
+std::vector<PathSegment> path_segments(const RayTree& tree, double open_length, std::size_t most);
+
+/// Segment on screen nearest to `at`, no farther away than `reach` points; of equally near ones the one drawn on top.
+/// Returns its node.
+std::optional<int> node_at(std::span<const PathSegment> segments, const SpaceView& view, const DVec2& size,
+                           const DVec2& at, double reach);
+
+/// The tip of the electric field of the polarized part of the light on a branch, over one period.
+struct FieldFigure {
+    DVec3 center{};
+    DVec3 x{};  ///< axes of the branch's field frame, as long as the figure is high; y is 0 for a mode
+    DVec3 y{};
+    std::vector<DVec3> tips;  ///< in the order of time, closed; empty for unpolarized light
+};
+
+/// In the branch's own field frame, in the middle of its line, at most `radius` large: sqrt(degree of polarization) of
+/// it. Empty if the light is not known (random tail) or if there is none.
+std::optional<FieldFigure> field_figure(const RayTreeNode& node, const SpaceLine& line, double radius);
+
+}  // namespace pol
