@@ -297,8 +297,13 @@ void SpacePanel::draw_triad() {
 
 void SpacePanel::draw_legend(const Session& session) {
     if (!explanation_) {
-        ImGui::TextDisabled(session.selection.pinned() ? "The paths are being found."
-                                                       : "Click a pixel to see its paths.");
+        const ExplanationStatus status = session.explanation_status();
+        if (status.state == ExplanationState::nothing_asked)
+            ImGui::TextDisabled("Click a pixel to see its paths.");
+        else if (status.state == ExplanationState::running)
+            ImGui::TextDisabled("%zu branches found so far", status.branches);
+        else
+            ImGui::TextDisabled("%s", status.problem.empty() ? "cancelled" : status.problem.c_str());
         return;
     }
     std::array<bool, path_kind_count> present{};
