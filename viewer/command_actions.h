@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "viewer/commands.h"
+#include "viewer/pixel_export.h"
 
 namespace pol::action {
 
@@ -19,6 +20,9 @@ inline bool has_several(const Session& session) {
 }
 inline bool is_pinned(const Session& session) {
     return is_open(session) && session.selection.pinned().has_value();
+}
+inline bool has_tree(const Session& session) {
+    return session.explanation() != nullptr;
 }
 inline bool is_free(const Session& session) {
     return is_open(session) && !session.selection.pinned();
@@ -118,6 +122,11 @@ inline void step_glyphs(Session& session) {
 template <int dx, int dy>
 void nudge(Session& session) {
     session.nudge(dx, dy);
+}
+
+template <RayFormat format>
+void export_tree(Session& session) {
+    export_rays(session, format);
 }
 
 /// What Esc means: the sheet on top goes first, then the pin.

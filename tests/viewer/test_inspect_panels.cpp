@@ -10,6 +10,7 @@
 
 #include "cli/ray_table.h"
 #include "support/shipped_scenes.h"
+#include "verify/pixel_case.h"
 #include "viewer/known_picture.h"
 #include "viewer/panels/paths_panel.h"
 #include "viewer/panels/pixel_panel.h"
@@ -216,6 +217,12 @@ TEST_F(Panels, ExportsAndCasesAreWrittenBesideTheScene) {
     for (const char* name :
          {"plate-4,4.csv", "plate-4,4.json", "plate-4,4.obj", "plate-4,4.case.yaml", "plate-4,4-2.case.yaml"})
         EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    const auto saved = load_pixel_case(folder / "plate-4,4.case.yaml");
+    ASSERT_TRUE(saved) << to_string(saved.error());
+    EXPECT_EQ(saved.value().expected, to_coherence(session.explanation()->sample_light));
+    const auto verdict = check(saved.value());
+    ASSERT_TRUE(verdict);
+    EXPECT_TRUE(verdict.value().computed == saved.value().expected) << "equal bits after a way through a file";
 }
 
 double thread_seconds() {
