@@ -9,7 +9,6 @@
 #include <numeric>
 #include <string>
 
-#include "cli/ray_table.h"
 #include "viewer/panels/tree_state.h"
 #include "viewer/pixel_export.h"
 #include "viewer/reading_text.h"
@@ -40,10 +39,10 @@ void draw_exports(Session& session) {
 
 }  // namespace
 
-void RayTablePanel::sort(const Plan& plan, int column, bool descending) {
+void RayTablePanel::sort(int column, bool descending) {
+    const RayTable& rays = *rays_;
     sorted_by_ = column;
     descending_ = descending;
-    const RayTable rays(plan, *explanation_);
     order_.resize(static_cast<std::size_t>(rays.size()));
     std::iota(order_.begin(), order_.end(), 0);
     const RayTable::Column& by = RayTable::columns()[static_cast<std::size_t>(column)];
@@ -67,7 +66,7 @@ void RayTablePanel::sort(const Plan& plan, int column, bool descending) {
 }
 
 void RayTablePanel::draw_table(Session& session) {
-    const Plan& plan = *session.current()->plan();
+    const RayTable& rays = *rays_;
     const auto columns = RayTable::columns();
     constexpr ImGuiTableFlags look = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                      ImGuiTableFlags_BordersOuter | ImGuiTableFlags_BordersInnerV |
@@ -88,7 +87,7 @@ void RayTablePanel::draw_table(Session& session) {
     }
     if (ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsDirty) {
         if (specs->SpecsCount > 0)
-            sort(plan, specs->Specs[0].ColumnIndex, specs->Specs[0].SortDirection == ImGuiSortDirection_Descending);
+            sort(specs->Specs[0].ColumnIndex, specs->Specs[0].SortDirection == ImGuiSortDirection_Descending);
         specs->SpecsDirty = false;
     }
     if (session.selection.node != scrolled_to_) {
@@ -99,7 +98,6 @@ void RayTablePanel::draw_table(Session& session) {
             ImGui::SetScrollY(std::max(0.0F, static_cast<float>(found - order_.begin() - 3) * row_height));
         }
     }
-    const RayTable rays(plan, *explanation_);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(order_.size()));
     while (clipper.Step()) {
@@ -124,8 +122,11 @@ void RayTablePanel::draw_table(Session& session) {
 void RayTablePanel::draw(Session& session) {
     if (!draw_tree_state(session)) return;
     if (explanation_ != session.explanation()) {
+        rays_.reset();
         explanation_ = session.explanation();
-        sort(*session.current()->plan(), sorted_by_, descending_);
+        plan_ = session.current()->plan();
+        rays_.emplace(*plan_, *explanation_);
+        sort(sorted_by_, descending_);
     }
     draw_sample_choice(session);
     ImGui::Text("%zu segments", explanation_->tree.nodes.size());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/ray_table.h"
 #include "viewer/session.h"
 
 namespace pol {
@@ -15,13 +16,15 @@ public:
     void draw(Session& session);
 
 private:
-    /// Row order for the column that the user sorts by; the tree's own order without one.
-    void sort(const Plan& plan, int column, bool descending);
+    /// Row order for the column that the user sorts by.
+    void sort(int column, bool descending);
     void draw_table(Session& session);
 
+    std::shared_ptr<const Plan> plan_;
     std::shared_ptr<const Explanation> explanation_;
-    std::vector<int> order_;  ///< branches, as they are shown
-    int sorted_by_ = 0;       ///< column
+    std::optional<RayTable> rays_;  ///< of the two above
+    std::vector<int> order_;        ///< branches, as they are shown
+    int sorted_by_ = 0;             ///< column
     bool descending_ = false;
     std::optional<int> scrolled_to_;
 };
