@@ -17,9 +17,9 @@ namespace {
 
 std::vector<Fact> all_chapters() {
     std::vector<Fact> all;
-    for (const auto chapter :
-         {reflection_facts, plate_facts, total_reflection_facts, element_facts, drop_facts, crystal_plate_facts,
-          crystal_contact_facts, crystal_prism_facts, crystal_face_facts, algebra_facts, unmodelled_facts}) {
+    for (const auto chapter : {reflection_facts, plate_facts, total_reflection_facts, element_facts, drop_facts,
+                               crystal_plate_facts, crystal_contact_facts, crystal_prism_facts, crystal_face_facts,
+                               algebra_facts, lamp_facts, unmodelled_facts}) {
         std::vector<Fact> facts = chapter();
         std::move(facts.begin(), facts.end(), std::back_inserter(all));
     }

@@ -23,6 +23,7 @@ std::vector<Fact> crystal_contact_facts();   // T26, T36, T37
 std::vector<Fact> crystal_prism_facts();     // T27 to T29
 std::vector<Fact> crystal_face_facts();      // T30 to T34, T38, T39
 std::vector<Fact> algebra_facts();           // T46 to T50
+std::vector<Fact> lamp_facts();              // T54 to T58
 std::vector<Fact> unmodelled_facts();        // T40 to T43
 
 using Measurement = std::function<double(const Explanation&)>;
