@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/panels/status_line.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include <cmath>
+#include <string>
+
+#include "cli/report.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -10,27 +15,64 @@ namespace pol {
 
 namespace {
 
-void separated() {
+/// One entry of the line, with what it means.
+void entry(const char* name, const ImVec4& color, const std::string& text, const char* meaning) {
     ImGui::SameLine(0.0F, ImGui::GetFontSize());
+    ImGui::TextColored(color, "%s", text.c_str());
+    name_widget(std::string("status ") + name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", meaning);
 }
 
-void draw_progress(const Document& document, const ThemeColors& color) {
-    const RenderProgress progress = document.progress();
-    if (!document.has_scene())
-        ImGui::TextUnformatted("picture from a file");
-    else if (document.paused())
-        ImGui::TextColored(color.warning, "paused at %.0f %%", 100.0 * progress.done);
-    else if (progress.finished)
-        ImGui::TextColored(color.good, "finished");
-    else
-        ImGui::Text("rendering %.0f %%", 100.0 * progress.done);
+std::string percent(double share) {
+    return std::isfinite(share) ? fmt::format("{:.2g} %", 100.0 * share) : "unknown";
 }
 
-/// The last message; a click opens the log. `first_line`: errors have their address and remedy below.
+const char* why_it_ended(StopReason reason) {
+    switch (reason) {
+        case StopReason::time:
+            return "stopped: time is up";
+        case StopReason::error:
+            return "finished: error reached";
+        case StopReason::truncation:
+            return "stopped: needs a smaller residual";
+        case StopReason::cancelled:
+            return "cancelled";
+        default:
+            return "finished";
+    }
+}
+
+void draw_progress(const Document& document, const RenderProgress& progress, const ThemeColors& color) {
+    if (document.paused()) {
+        entry("progress", color.warning, fmt::format("paused at {:.0f} %", 100.0 * progress.done), "Space goes on.");
+    } else if (progress.finished) {
+        const bool well = progress.reason != StopReason::truncation && progress.reason != StopReason::cancelled;
+        entry("progress", well ? color.good : color.warning,
+              fmt::format("{} in {}", why_it_ended(progress.reason), duration_text(progress.seconds)),
+              "By the first of the rules: samples asked for, time, error.");
+    } else {
+        std::string text = fmt::format("{:.0f} %", 100.0 * progress.done);
+        if (progress.seconds_left) text += ", " + duration_text(*progress.seconds_left) + " left";
+        entry("progress", color.text, text, "Share of the samples asked for. Space pauses.");
+    }
+}
+
+/// The three figures that say how good the picture is.
+void draw_errors(const FilmStatus& film, const ThemeColors& color) {
+    if (film.mean_samples <= 0.0) return;
+    entry("bound", color.text, "bound \u00b1" + percent(film.error.truncation),
+          "How far the picture may be off because light was not traced: a rigorous bound, relative to the picture.");
+    if (film.error.sampling)
+        entry("sampling", color.text, "sampling \u00b1" + percent(*film.error.sampling) + " (estimated, 68 %)",
+              "How far the picture is off because of too few samples: an estimate from two independent halves.");
+    entry("samples", color.text, fmt::format("{:.3g} samples", film.mean_samples), "Per pixel, on average.");
+}
+
+/// The last message; a click opens the log, where its further lines (address, remedy) are.
 void draw_message(Session& session) {
     const std::vector<LogLine>& lines = session.log.lines();
     if (lines.empty()) return;
-    separated();
+    ImGui::SameLine(0.0F, ImGui::GetFontSize());
     std::string text = lines.back().text;
     if (const std::size_t end = text.find('\n'); end != std::string::npos) text = text.substr(0, end) + " ...";
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(session.window.theme, lines.back().severity));
@@ -44,12 +86,19 @@ void draw_message(Session& session) {
 
 void draw_status_line(Session& session) {
     const Document* document = session.current();
+    const ThemeColors& color = colors(session.window.theme);
     if (document == nullptr) {
         ImGui::TextUnformatted("Nothing is open");
     } else {
         ImGui::Text("%s%s", document->name().c_str(), document->dirty() ? " *" : "");
-        separated();
-        draw_progress(*document, colors(session.window.theme));
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", document->path().c_str());
+        if (document->has_scene()) {
+            const RenderProgress progress = document->progress();
+            draw_progress(*document, progress, color);
+            draw_errors(progress.film, color);
+        } else {
+            entry("progress", color.text, "picture from a file", "Nothing is traced: there is no scene.");
+        }
     }
     draw_message(session);
 }
