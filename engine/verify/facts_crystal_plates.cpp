@@ -222,6 +222,8 @@ Fact absorbing_plate() {
     expect(fact, tourmaline, "transmittance of e", plate_transmittance(1.620), all_passes, of_pixel(p_share));
     expect(fact, tourmaline, "degree of polarization", 1.0, rounding(4.0, "a ratio of Stokes components"),
            of_pixel(dop));
+    expect(fact, tourmaline, "light absorbed", 0.5 * (1.0 - normal_reflectance(1.640)), all_passes,
+           [](const Explanation& e) { return e.result.absorbed; });
     // The axis is across the plane of incidence: s is e with the plain index n_e, p is o.
     const double i = radians(50.0);
     const std::size_t oblique =

@@ -137,6 +137,11 @@ Fact glan_and_nicol() {
             expect(fact, view, "refracted rays", out, exact(), rays_along(row.branch));
         }
     }
+    // For e balsam is the denser medium: it always passes.
+    const double critical = std::asin(1.55 / n_o) + 1e-12;
+    const std::size_t nicol = add_view(fact, "Nicol", glan(critical, foucault, "0.01", "1.55"));
+    expect(fact, nicol, "e passed by balsam", 1.0 - ClosedFresnel(1.55 / n_e, critical).R_s(), four_surfaces,
+           kept_by("Te T", "Te"));
     return fact;
 }
 

@@ -109,7 +109,8 @@ Fact corner_cube() {
     const std::size_t natural = add_view(fact, "unpolarized light", corner_scene("radiance: 1"));
     expect(fact, natural, "radiance", 1.0, few_surfaces, along("RRR", s0));
     expect(fact, natural, "degree of polarization", 0.0, few_surfaces, along("RRR", dop));
-    for (const auto& [name, state] : {std::pair{"linear light", "[1, 0, 0]"}, {"diagonal light", "[0, 1, 0]"}}) {
+    for (const auto& [name, state] :
+         {std::pair{"linear light", "[1, 0, 0]"}, {"diagonal light", "[0, 1, 0]"}, {"circular light", "[0, 0, 1]"}}) {
         const std::size_t view = add_view(fact, name, corner_scene(polarized(state)));
         expect(fact, view, "degree of polarization", 1.0, few_surfaces, along("RRR", dop));
     }

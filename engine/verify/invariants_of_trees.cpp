@@ -41,14 +41,15 @@ InvariantResult is_physical(const SceneUnderTest& test) {
         for (int y = 0; y < test.image.height; ++y)
             for (int x = 0; x < test.image.width; ++x) {
                 const Stokes<double>& s = test.image.at(w, test.image.pixel(x, y));
+                const WorstPixel at{x, y, test.image.wavelengths_nm[w]};
                 const double brightest = test.image.brightest[w];
-                const double rounding = tree_rounding(test.statistics.most_nodes) * brightest;
-                if (brightest == 0.0) {
-                    tally.add_exact(s == Stokes<double>{}, {x, y, test.image.wavelengths_nm[w]});
+                const double length = polarized_part(s);
+                if (brightest == 0.0 || !std::isfinite(s.s0) || !std::isfinite(length)) {
+                    tally.add_exact(s == Stokes<double>{}, at);
                     continue;
                 }
-                const double beyond = std::max({-s.s0, s.s0 - brightest, polarized_part(s) - s.s0});
-                tally.add(beyond > 0.0 ? beyond / rounding : 0.0 * s.s0, {x, y, test.image.wavelengths_nm[w]});
+                const double beyond = std::max({0.0, -s.s0, s.s0 - brightest, length - s.s0});
+                tally.add(beyond / (tree_rounding(test.statistics.most_nodes) * brightest), at);
             }
     return tally.result();
 }

@@ -6,6 +6,7 @@
 
 #include "polarization/measures.h"
 #include "render/renderer.h"
+#include "tracer/explain.h"
 #include "verify/error_bar_check.h"
 #include "verify/invariants.h"
 #include "verify/scene_twins.h"
@@ -66,6 +67,23 @@ InvariantResult twin_failed(const Error& error) {
     return does_not_apply("the edited scene does not compile: " + error.what);
 }
 
+/// True if all light that the picture sees leaves its source in a medium of the camera's index: else equal radiance
+/// everywhere is no equilibrium (physics.md 2.3).
+bool shines_in_one_medium(const SceneUnderTest& test) {
+    const Plan& plan = *test.plan;
+    const auto index_of = [&](int region) {
+        const int medium = plan.regions[static_cast<std::size_t>(region)].medium;
+        return plan.groups[0].media[static_cast<std::size_t>(medium)].dielectric.n;
+    };
+    for (int y = 0; y < test.image.height; ++y)
+        for (int x = 0; x < test.image.width; ++x) {
+            const Explanation e = explain(plan, x, y, 0, 0);
+            for (const RayTreeNode& node : e.tree.nodes)
+                if (node.brings_light() && index_of(node.end.region) != index_of(e.task.region)) return false;
+        }
+    return true;
+}
+
 DMat3 some_rotation() {
     const DVec3 x = unit(DVec3(0.3, -0.7, 0.5));
     const DVec3 y = any_perpendicular(x);
@@ -79,6 +97,8 @@ InvariantResult is_invisible_in_a_furnace(const SceneUnderTest& test) {
     constexpr double radiance = 0.75;
     const auto furnace = under_test(as_furnace(test.scene, radiance));
     if (!furnace) return twin_failed(furnace.error());
+    if (!shines_in_one_medium(furnace.value()))
+        return does_not_apply("there are lights in another medium than the camera's");
     const StokesImage& image = furnace.value().image;
     const double rounding = radiance * tree_rounding(furnace.value().statistics.most_nodes);
     Tally tally;

@@ -12,7 +12,8 @@
 
 namespace pol::verify {
 
-/// The scene as a square picture of `side` pixels, cut as its file asks but after 1000 rays a sample at most.
+/// The scene as a square picture of `side` pixels, at most 4 samples each, cut as its file asks but after 1000 rays a
+/// sample at most.
 Scene small(Scene scene, int side);
 
 /// Cut by depth alone: which branches are followed does not hang on the last bit of a weight.
