@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// physics.md T15: the primary rainbow, and the path of a ray through a sphere at any impact parameter.
+// The path of a ray through a drop beyond fact T15: every impact parameter, and that the rainbow is an extreme.
 #include "physics/fact_scene.h"
 
 namespace pol::test {
@@ -48,19 +48,6 @@ TEST(WaterDrop, T15SendsItsRainbowAtTheLargestAngle) {
         // Second order: d^2(4 t - 2 i)/di^2 = 4 d^2t/di^2 = -4 (n^2 - 1) sin i/(n^2 - sin^2 i)^(3/2) = -2.5 here.
         EXPECT_LT(rainbow_radius(descartes + step), radius - 0.5 * step * step) << step;
     }
-}
-
-TEST(WaterDrop, T15PolarizesItsRainbowAlongTheBow) {
-    const Stokes<double> s = light_along(drop(descartes), "TRT");
-    // R is the same at every surface of a sphere, from inside and from outside.
-    const ClosedFresnel f(n_water, descartes);
-    const double s_part = std::pow(1.0 - f.R_s(), 2) * f.R_s();
-    const double p_part = std::pow(1.0 - f.R_p(), 2) * f.R_p();
-    EXPECT_NEAR(s_part, 0.0877915, printed(7));
-    EXPECT_NEAR(p_part, 0.0034653, printed(7));
-    expect_stokes(s, {0.5 * (s_part + p_part), 0.5 * (s_part - p_part), 0.0, 0.0}, three_surfaces);
-    EXPECT_NEAR(measure(s).dop, 0.924054, printed(6));
-    EXPECT_EQ(measure(s).ellipticity, 0.0);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// physics.md T46 to T50 as pictures: incoherent sums, turned and mirrored cameras, and the scale of light.
+// Facts T48 to T50 for whole pictures: turned and mirrored cameras, and the scale of light.
 #include "maps/evaluate.h"
 #include "physics/fact_scene.h"
 
@@ -8,34 +8,6 @@ namespace {
 
 // A handful of surfaces of some 20 operations, each rounded by eps/2, on light of order 1.
 constexpr double few_surfaces = 200.0 * eps;
-
-/// Two linear states of equal radiance 0.04 in one pixel, `degree` apart: a lamp reflected by a glass surface and
-/// another one below it, dimmer by R n^2/T.
-std::string beam_splitter(double degree) {
-    const auto linear = [](double radiance, double azimuth) {
-        return "radiance: " + text(radiance) + ", polarization: {dop: 1, azimuth: " + text(azimuth) + "}";
-    };
-    return camera_along(downward(0.0)) + "media: {glass: 1.5}\nobjects:\n" +
-           box("block", {4.0, 4.0, 4.0}, {0.0, 0.0, -2.0}, "glass") +
-           lamp("above", {0.0, 0.0, 10.0}, {0.0, 0.0, -1.0}, 1.0, linear(1.0, 0.0)) +
-           lamp("below", {0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, 1.0, linear(0.04 * 2.25 / 0.96, degree));
-}
-
-TEST(IncoherentSum, T46OfEqualLinearStatesHasTheCosineOfTheirAngleAsDegreeOfPolarization) {
-    for (const double degree : {0.0, 15.0, 45.0, 60.0, 89.0}) {
-        SCOPED_TRACE(degree);
-        const Stokes<double> s = look(beam_splitter(degree));
-        EXPECT_NEAR(s.s0, 0.08, few_surfaces);
-        const Measures<double> m = measure(s);
-        EXPECT_NEAR(m.dop, std::cos(radians(degree)), few_surfaces / 0.08);
-        EXPECT_NEAR(degrees(m.azimuth), 0.5 * degree, degrees(few_surfaces / 0.08 / m.dop));
-        EXPECT_NEAR(s.s3, 0.0, eps);  // merging linear light never makes it elliptic
-    }
-}
-
-TEST(IncoherentSum, T47OfEqualOrthogonalStatesIsUnpolarized) {
-    expect_stokes(look(beam_splitter(90.0)), {0.08, 0.0, 0.0, 0.0}, few_surfaces);
-}
 
 /// Glass, metal and crystal between polarized light and dim surroundings: all four Stokes components everywhere.
 Scene still_life() {
