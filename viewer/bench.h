@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "maps/pixel_light.h"
@@ -33,6 +35,15 @@ struct Bench {
     [[nodiscard]] MuellerMatrix<double> mueller() const;
     friend bool operator==(const Bench&, const Bench&) = default;
 };
+
+/// The train that passes one state of light in full and blocks the opposite one.
+struct NamedAnalyzer {
+    std::string_view title;
+    Bench bench;
+};
+
+/// H, V, +45, -45, right, left: in pairs of opposite states.
+std::span<const NamedAnalyzer> standard_analyzers();
 
 /// Light behind a train of passive elements. They let through no more of the missing or surplus light than there was,
 /// so its bounds stay; what rounding leaves of light that they stop is told by the light in front of them.

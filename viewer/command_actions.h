@@ -129,13 +129,17 @@ void export_tree(Session& session) {
     export_rays(session, format);
 }
 
-/// What Esc means: the sheet on top goes first, then the pin.
+/// What Esc means: the sheet on top goes first, then marks, the region, and the pin.
 inline void escape(Session& session) {
     WindowState& window = session.window;
     if (window.help_visible)
         window.help_visible = false;
     else if (window.log_visible)
         window.log_visible = false;
+    else if (!session.selection.marked.empty())
+        session.selection.mark({});
+    else if (session.selection.region)
+        session.selection.region.reset();
     else
         session.unpin();
 }
@@ -162,20 +166,6 @@ bool view_has(const Session& session) {
 inline bool save_scene(Session& session) {
     const Document& document = *session.current();
     return session.save(document.path().empty() ? std::filesystem::path(document.name()) : document.path());
-}
-
-/// Black and white, or the ends of the color scale, become the least and the largest value on screen.
-inline void normalize(Session& session) {
-    const MapSummary& summary = session.shown_map.summary();
-    const double span = summary.high - summary.low;
-    if (!(span > 0.0)) return;
-    ViewSettings& view = session.view;
-    if (view.quantity == Quantity::color || view.quantity == Quantity::intensity) {
-        view.exposure = -std::log2(span);
-        view.offset = -summary.low / span;
-    } else {
-        view.range[static_cast<std::size_t>(view.quantity)] = MapRange{summary.low, summary.high};
-    }
 }
 
 }  // namespace pol::action

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "viewer/command_actions.h"
 #include "viewer/commands.h"
+#include "viewer/map_look.h"
 
 namespace pol {
 
@@ -195,7 +198,7 @@ constexpr std::array command_table{
             "Normalize",
             {letter('N')},
             "Stretches the scale from the least to the largest value on screen.",
-            normalize,
+            fit_bar_range,
             is_open},
     Command{
         "View", "Reset tone", {letter('R')}, "Exposure, offset, gamma, ranges and scales as they were.", reset_tone},
@@ -241,8 +244,11 @@ constexpr std::array command_table{
     Command{"Pixel", "Move pin right", {Key::right}, "Pins the neighboring pixel.", nudge<1, 0>, is_pinned, {}, true},
     Command{"Pixel", "Move pin up", {Key::up}, "Pins the neighboring pixel.", nudge<0, -1>, is_pinned, {}, true},
     Command{"Pixel", "Move pin down", {Key::down}, "Pins the neighboring pixel.", nudge<0, 1>, is_pinned, {}, true},
-    Command{
-        "Pixel", "Close or release", {Key::escape}, "Closes the sheet on top; else releases the pinned pixel.", escape},
+    Command{"Pixel",
+            "Close or release",
+            {Key::escape},
+            "Closes the sheet on top; else takes away marks, the region, the pin.",
+            escape},
     Command{"Pixel",
             "Save as test case",
             {},
@@ -300,7 +306,19 @@ constexpr std::array command_table{
             is_on<&WindowState::log_visible>},
 };
 
+template <std::size_t... i>
+constexpr std::array<void (*)(Session&), sizeof...(i)> map_switches(std::index_sequence<i...> /*all*/) {
+    return {show_map<static_cast<Quantity>(i)>...};
+}
+
 }  // namespace
+
+KeyChord chord_of(Quantity quantity) {
+    const auto run = map_switches(std::make_index_sequence<quantity_count>())[static_cast<std::size_t>(quantity)];
+    const auto found = std::find_if(command_table.begin(), command_table.end(),
+                                    [run](const Command& command) { return command.run == run; });
+    return found == command_table.end() ? KeyChord{} : found->chord;
+}
 
 std::span<const Command> commands() {
     return command_table;

@@ -25,6 +25,9 @@ struct Command {
 /// All commands, in the order of menus and help sheet: rows of a group follow each other.
 std::span<const Command> commands();
 
+/// The key that shows a map; none if it has none.
+KeyChord chord_of(Quantity quantity);
+
 /// The command that the chord means now, or null. Two commands may share a chord if they are never enabled together
 /// (arrow keys with and without a pinned pixel).
 const Command* command_for(const Session& session, const KeyChord& chord);

@@ -9,10 +9,12 @@
 #include <utility>
 
 #include "viewer/commands.h"
+#include "viewer/panels/bench_panel.h"
 #include "viewer/panels/help_sheet.h"
 #include "viewer/panels/menu_bar.h"
 #include "viewer/panels/status_line.h"
 #include "viewer/panels/unsaved_dialog.h"
+#include "viewer/panels/view_controls.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -107,6 +109,11 @@ Widths fitting(const Layout& layout, float window, double scale) {
 
 void Interface::draw_left(Session& session) {
     section("Maps", [&] { maps_.draw(session); });
+    if (session.current() == nullptr) return;
+    section("View", [&] { draw_view_controls(session); });
+    section("Histogram", [&] { histogram_.draw(session); });
+    section("Ellipses", [&] { draw_glyph_controls(session.view.glyphs); });
+    section("Bench", [&] { draw_bench_panel(session); });
 }
 
 void Interface::draw_tabs(Session& session, Frame& /*frame*/, Stack stack) {
@@ -117,6 +124,7 @@ void Interface::draw_tabs(Session& session, Frame& /*frame*/, Stack stack) {
     tab(lower, "Paths", [&] { paths_.draw(session); });
     tab(lower, "Table", [&] { rays_.draw(session); });
     tab(lower, "3-D", [&] { space_.draw(session); });
+    tab(lower, "Sphere", [&] { sphere_.draw(session); });
     ImGui::EndTabBar();
 }
 

@@ -6,6 +6,7 @@
 
 #include "viewer/frame.h"
 #include "viewer/panels/command_palette.h"
+#include "viewer/panels/histogram_panel.h"
 #include "viewer/panels/log_panel.h"
 #include "viewer/panels/maps_panel.h"
 #include "viewer/panels/open_dialog.h"
@@ -14,6 +15,7 @@
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
 #include "viewer/panels/space_panel.h"
+#include "viewer/panels/sphere_panel.h"
 #include "viewer/panels/welcome.h"
 #include "viewer/session.h"
 
@@ -36,11 +38,13 @@ private:
     void draw_sheets(Session& session);
 
     MapsPanel maps_;
+    HistogramPanel histogram_;
     PicturePanel picture_;
     PixelPanel pixel_;
     PathsPanel paths_;
     RayTablePanel rays_;
     SpacePanel space_;
+    SpherePanel sphere_;
     Welcome welcome_;
     LogPanel log_;
     CommandPalette palette_;

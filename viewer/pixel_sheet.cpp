@@ -264,11 +264,14 @@ PixelSheet make_pixel_sheet(const Session& session) {
     return sheet;
 }
 
+double sheet_frame_angle(const Session& session) {
+    std::string trouble;
+    return frame_angle(session.sheet, camera_axes(*session.current(), *session.selection.pinned()), trouble);
+}
+
 std::vector<SheetCurve> spectrum_curves(const Session& session) {
     const PixelReading reading = read_pixel(session, *session.selection.pinned());
-    const auto axes = camera_axes(*session.current(), reading.address);
-    std::string trouble;
-    const double angle = frame_angle(session.sheet, axes, trouble);
+    const double angle = sheet_frame_angle(session);
     std::vector<SheetCurve> curves;
     SheetCurve s0{"S0", {}, 0.0, 0.0, false};
     for (const WavelengthReading& at : reading.wavelengths) {

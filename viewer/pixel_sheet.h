@@ -48,6 +48,10 @@ struct PixelSheet {
 /// Requires: a pinned pixel of the current picture.
 PixelSheet make_pixel_sheet(const Session& session);
 
+/// Radians, counter-clockwise on the picture, from image right to the x axis of the frame that the sheet is written in.
+/// Requires: as make_pixel_sheet.
+double sheet_frame_angle(const Session& session);
+
 /// "0.25 - 0.1 i", seven significant digits.
 std::string complex_text(const Complex<double>& z);
 /// The same with 17.

@@ -136,6 +136,8 @@ void Session::fit_selection() {
     const auto outside = [&](PixelAddress pixel) { return pixel.x >= picture.width || pixel.y >= picture.height; };
     if (selection.hovered && outside(*selection.hovered)) selection.hovered.reset();
     if (selection.marked.size() != picture.pixel_count()) selection.marked.clear();
+    const auto& region = selection.region;
+    if (region && (region->x1 > picture.width || region->y1 > picture.height)) selection.region.reset();
     const auto pinned = selection.pinned();
     if (std::erase_if(selection.pins, outside) == 0) return;
     const auto found = pinned ? std::find(selection.pins.begin(), selection.pins.end(), *pinned) : selection.pins.end();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "film/film.h"
 #include "film/stokes_image.h"
 #include "maps/pixel_light.h"
 #include "viewer/bench.h"
@@ -20,6 +21,26 @@ public:
     [[nodiscard]] PixelLight light(std::size_t wavelength, std::size_t pixel) const {
         const PixelLight light = pixel_light(picture_, wavelength, pixel);
         return train_ ? behind(*train_, light) : light;
+    }
+    /// The same of the mean light of a rectangle. Requires: it lies inside the picture and is not empty.
+    [[nodiscard]] PixelLight mean_light(std::size_t wavelength, const TileRect& rect) const {
+        PixelLight mean;
+        for (int y = rect.y0; y < rect.y1; ++y) {
+            for (int x = rect.x0; x < rect.x1; ++x) {
+                const PixelLight light = pixel_light(picture_, wavelength, picture_.pixel(x, y));
+                mean.stokes += light.stokes;
+                mean.missing += light.missing;
+                mean.surplus += light.surplus;
+                mean.residual += light.residual;
+                mean.scale = light.scale;
+            }
+        }
+        const double share = 1.0 / static_cast<double>(rect.pixel_count());
+        mean.stokes = share * mean.stokes;
+        mean.missing *= share;
+        mean.surplus *= share;
+        mean.residual *= share;
+        return train_ ? behind(*train_, mean) : mean;
     }
     [[nodiscard]] Stokes<double> stokes(std::size_t wavelength, std::size_t pixel) const {
         const Stokes<double>& s = picture_.at(wavelength, pixel);

@@ -3,15 +3,37 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <string>
+
+#include "viewer/commands.h"
+#include "viewer/widgets/ink.h"
+#include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
+namespace {
+
+/// First map of each group; the others follow in the order of the enumeration.
+constexpr std::array group_begins{Quantity::dop, Quantity::s1, Quantity::residual};
+
+}  // namespace
+
 void MapsPanel::draw(Session& session) {
+    const float key_column = ImGui::CalcTextSize("Shift+0 ").x;
     for (const QuantityInfo& quantity : quantities()) {
-        if (ImGui::Selectable(std::string(quantity.title).c_str(), session.view.quantity == quantity.quantity))
+        for (const Quantity begin : group_begins) {
+            if (begin == quantity.quantity) ImGui::Separator();
+        }
+        const std::string title(quantity.title);
+        const KeyChord chord = chord_of(quantity.quantity);
+        if (ImGui::Selectable(title.c_str(), session.view.quantity == quantity.quantity))
             session.show(quantity.quantity);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(quantity.definition).c_str());
+        name_widget("map " + std::string(quantity.name));
+        tooltip(std::string(quantity.definition).c_str());
+        if (chord.key == Key::none) continue;
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - key_column);
+        ImGui::TextDisabled("%s", name_of(chord).c_str());
     }
 }
 

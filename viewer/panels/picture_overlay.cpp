@@ -10,6 +10,7 @@
 
 #include "maps/color_picture.h"
 #include "spectrum/illuminant.h"
+#include "viewer/pixel_sheet.h"
 #include "viewer/reading_text.h"
 #include "viewer/shown_picture.h"
 #include "viewer/widgets/ink.h"
@@ -22,12 +23,8 @@ namespace {
 constexpr double least_veil_cell = 2.0;
 constexpr ImU32 veil_color = IM_COL32(0, 0, 0, 170);
 
-struct PixelRange {
-    int x0, y0, x1, y1;
-};
-
 /// Pixels that can be seen.
-PixelRange visible_pixels(const Session& session, const DVec2& view) {
+TileRect visible_pixels(const Session& session, const DVec2& view) {
     const StokesImage& picture = session.current()->picture();
     const DVec2 low = session.transform.picture_from_view({0.0, 0.0});
     const DVec2 high = session.transform.picture_from_view(view);
@@ -80,7 +77,7 @@ void draw_numbers(const Session& session, const ViewRect& viewport, ImDrawList& 
     if (!session.view.numbers_in_pixels || session.transform.scale < needed) return;
     const PixelLabels labels(session);
     const StokesImage& picture = session.current()->picture();
-    const PixelRange seen = visible_pixels(session, viewport.size);
+    const TileRect seen = visible_pixels(session, viewport.size);
     for (int y = seen.y0; y < seen.y1; ++y) {
         for (int x = seen.x0; x < seen.x1; ++x) {
             const std::string text = labels.text(picture.pixel(x, y));
@@ -104,15 +101,32 @@ void draw_region(const Session& session, const ViewRect& viewport, ImDrawList& l
     list.AddRect(a, b, white_ink, 0.0F, 0, 1.0F);
 }
 
-/// Axes of the frame that the Stokes vector of the pixel is written in: x to the right, y up (CONVENTIONS.md).
-void draw_frame(const DVec2& center, double clear, ImDrawList& list) {
+/// Axes of the frame that the pixel's state is written in; `angle` from image right to x, counter-clockwise.
+void draw_frame(const DVec2& center, double clear, double angle, ImDrawList& list) {
     constexpr double length = 26.0;
-    const DVec2 x_tip = center + DVec2(clear + length, 0.0);
-    const DVec2 y_tip = center - DVec2(0.0, clear + length);
-    rimmed_arrow(list, point(center + DVec2(clear, 0.0)), point(x_tip), IM_COL32(255, 110, 90, 255));
-    rimmed_arrow(list, point(center - DVec2(0.0, clear)), point(y_tip), IM_COL32(120, 220, 120, 255));
-    rimmed_text(list, point(x_tip + DVec2(4.0, -7.0)), white_ink, "x");
-    rimmed_text(list, point(y_tip + DVec2(-3.0, -16.0)), white_ink, "y");
+    const auto draw_axis = [&](const DVec2& along, ImU32 color, const std::string& name) {
+        rimmed_arrow(list, point(center + clear * along), point(center + (clear + length) * along), color);
+        const DVec2 middle = center + (clear + length + 9.0) * along;
+        rimmed_text(list, point(middle - DVec2(3.5, 7.0)), white_ink, name);
+    };
+    // On screen y runs down.
+    draw_axis({std::cos(angle), -std::sin(angle)}, IM_COL32(255, 110, 90, 255), "x");
+    draw_axis({-std::sin(angle), -std::cos(angle)}, IM_COL32(120, 220, 120, 255), "y");
+}
+
+/// Corners of the tiles that workers are at.
+void draw_tiles_under_way(const Session& session, const ViewRect& viewport, ImDrawList& list) {
+    constexpr ImU32 color = IM_COL32(255, 214, 10, 140);
+    for (const TileRect& tile : session.current()->progress().under_way) {
+        const DVec2 low = viewport.origin + session.transform.view_from_picture({1.0 * tile.x0, 1.0 * tile.y0});
+        const DVec2 high = viewport.origin + session.transform.view_from_picture({1.0 * tile.x1, 1.0 * tile.y1});
+        const DVec2 arm = 0.2 * (high - low);
+        for (const DVec2 corner : {low, high, DVec2(low.x, high.y), DVec2(high.x, low.y)}) {
+            const DVec2 inward(corner.x == low.x ? arm.x : -arm.x, corner.y == low.y ? arm.y : -arm.y);
+            list.AddLine(point(corner), point(corner + DVec2(inward.x, 0.0)), color);
+            list.AddLine(point(corner), point(corner + DVec2(0.0, inward.y)), color);
+        }
+    }
 }
 
 void draw_pins(const Session& session, const ViewRect& viewport, ImDrawList& list) {
@@ -128,7 +142,7 @@ void draw_pins(const Session& session, const ViewRect& viewport, ImDrawList& lis
         list.AddRect(point(center - corner), point(center + corner), color, 0.0F, 0, 1.5F);
         if (selection.pins.size() > 1)
             rimmed_text(list, point(center + DVec2(half + 2.0, half - 4.0)), color, std::to_string(i + 1));
-        if (is_current) draw_frame(center, half + 1.0, list);
+        if (is_current) draw_frame(center, half + 1.0, sheet_frame_angle(session), list);
     }
 }
 
@@ -141,7 +155,10 @@ bool same(const ViewTransform& a, const ViewTransform& b) {
 void PictureOverlay::draw(const Session& session, const ViewRect& viewport) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(point(viewport.origin), point(viewport.origin + viewport.size), true);
+    draw_tiles_under_way(session, viewport, list);
     draw_veil(session, viewport);
+    const TileRect seen = visible_pixels(session, viewport.size);
+    if (seen.x0 < seen.x1 && seen.y0 < seen.y1) glyphs_.draw(session, viewport, seen);
     draw_numbers(session, viewport, list);
     draw_region(session, viewport, list);
     draw_pins(session, viewport, list);
@@ -163,7 +180,7 @@ void PictureOverlay::draw_veil(const Session& session, const ViewRect& viewport)
         // A cell is a whole number of pixels; it counts as marked if one of them is, so that no marked pixel is lost.
         const int step = std::max(1, static_cast<int>(std::ceil(least_veil_cell / transform.scale)));
         veil_cell_ = static_cast<float>(step * transform.scale);
-        const PixelRange seen = visible_pixels(session, viewport.size);
+        const TileRect seen = visible_pixels(session, viewport.size);
         const auto is_marked = [&](int x0, int y0) {
             for (int y = y0; y < std::min(y0 + step, picture.height); ++y) {
                 for (int x = x0; x < std::min(x0 + step, picture.width); ++x) {

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "viewer/frame.h"
+#include "viewer/panels/glyph_overlay.h"
 #include "viewer/session.h"
 #include "viewer/view_transform.h"
 
 namespace pol {
 
-/// What is drawn over the picture: a veil over pixels that are not marked, numbers in pixels, the region, pins, and the
-/// frame of the pinned pixel.
+/// What is drawn over the picture: a veil over pixels that are not marked, ellipses, numbers in pixels, the region,
+/// pins, and the frame of the pinned pixel.
 class PictureOverlay {
 public:
     /// Requires: a document is shown.
@@ -26,6 +27,7 @@ private:
     };
     void draw_veil(const Session& session, const ViewRect& viewport);
 
+    GlyphOverlay glyphs_;
     std::vector<VeilRun> veil_;  // of the marks, transform and viewport below
     float veil_cell_ = 1.0F;
     std::uint64_t veil_marks_ = 0;

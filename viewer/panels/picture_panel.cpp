@@ -8,6 +8,7 @@
 
 #include "viewer/panels/hover_readout.h"
 #include "viewer/widgets/ink.h"
+#include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
@@ -42,6 +43,7 @@ void show_viewport(const Frame& frame) {
         ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(frame.picture_texture), origin, end,
                                              {0.0F, 1.0F}, {1.0F, 0.0F});
     ImGui::InvisibleButton("viewport", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    name_widget("picture");
 }
 
 void invite(const ViewRect& viewport) {

@@ -13,6 +13,7 @@
 #include "viewer/map_look.h"
 #include "viewer/reading_text.h"
 #include "viewer/widgets/ink.h"
+#include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
@@ -121,6 +122,7 @@ void ColorBar::draw(Session& session, float width) {
     draw_scale(list, at, width, map_look(session).scale);
     ImGui::InvisibleButton("color bar", {width, bar_thickness + tick_length + ImGui::GetTextLineHeight()},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    name_widget("color bar");
     const QuantityInfo& about = info(session.view.quantity);
     if (about.kind != ScaleKind::cyclic) edit(session, width);
     draw_ticks(list, {at.x, at.y + bar_thickness}, width, bar_range(session), about);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/histogram.h"
+
+#include <algorithm>
+
+#include "core/contract.h"
+
+namespace pol {
+
+std::size_t Histogram::highest() const {
+    return bins.empty() ? 0 : *std::max_element(bins.begin(), bins.end());
+}
+
+Histogram histogram_of(const ShownMap& map, const MapRange& range, std::size_t bins) {
+    POL_EXPECTS(range.low < range.high && bins > 0);
+    Histogram result{range, std::vector<std::size_t>(bins), 0, 0};
+    const double per_value = static_cast<double>(bins) / (range.high - range.low);
+    for (std::size_t pixel = 0; pixel < map.values().size(); ++pixel) {
+        if (map.states()[pixel] != PixelState::defined) continue;
+        const double value = map.values()[pixel];
+        if (value < range.low)
+            ++result.below;
+        else if (value > range.high)
+            ++result.above;
+        else
+            ++result.bins[std::min(bins - 1, static_cast<std::size_t>((value - range.low) * per_value))];
+    }
+    return result;
+}
+
+std::vector<bool> pixels_in(const ShownMap& map, const MapRange& range) {
+    std::vector<bool> marked(map.values().size());
+    for (std::size_t pixel = 0; pixel < marked.size(); ++pixel) {
+        const double value = map.values()[pixel];
+        marked[pixel] = map.states()[pixel] == PixelState::defined && value >= range.low && value <= range.high;
+    }
+    return marked;
+}
+
+std::vector<bool> pixels_of(const ShownMap& map, PixelState state) {
+    std::vector<bool> marked(map.states().size());
+    for (std::size_t pixel = 0; pixel < marked.size(); ++pixel) marked[pixel] = map.states()[pixel] == state;
+    return marked;
+}
+
+}  // namespace pol

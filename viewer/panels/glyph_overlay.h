@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "viewer/frame.h"
+#include "viewer/glyphs.h"
+#include "viewer/session.h"
+
+namespace pol {
+
+/// Polarization ellipses, azimuth strokes or both over the picture, where they mean something.
+class GlyphOverlay {
+public:
+    /// Requires: a document is shown. `seen`: pixels in the viewport.
+    void draw(const Session& session, const ViewRect& viewport, const TileRect& seen);
+
+private:
+    /// What the glyphs were made from.
+    struct Source {
+        std::uint64_t layout = 0;
+        std::uint64_t version = 0;
+        std::size_t wavelength = 0;
+        int cell = 0;
+        std::array<int, 4> seen{};
+        Bench bench;
+        friend bool operator==(const Source&, const Source&) = default;
+    };
+    Source source_;
+    std::vector<Glyph> glyphs_;
+};
+
+}  // namespace pol

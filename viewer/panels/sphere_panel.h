@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "viewer/session.h"
+#include "viewer/sphere_view.h"
+
+namespace pol {
+
+/// The Poincare sphere with the pinned pixels over all wavelengths, the pixels of a region, or the leaves of the pinned
+/// pixel's tree. Dragging turns it; Shift and dragging draws a lasso that marks pixels in the picture; a click pins.
+class SpherePanel {
+public:
+    void draw(Session& session);
+
+private:
+    enum class Source : int { pins, region, leaves };
+
+    void choose_source(Session& session);
+    [[nodiscard]] std::vector<SpherePoint> points(const Session& session) const;
+    void handle_mouse(Session& session, const DVec2& center, double radius);
+    void draw_points(const Session& session, const DVec2& center, double radius) const;
+
+    Source source_ = Source::pins;
+    bool front_only_ = true;
+    SphereView view_;
+    bool is_lasso_ = false;
+    std::vector<DVec2> lasso_;         // in the coordinates of SphereView::seen
+    std::vector<SpherePoint> points_;  // of this frame
+};
+
+}  // namespace pol

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/panels/view_controls.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "viewer/map_look.h"
+#include "viewer/widgets/ink.h"
+
+namespace pol {
+
+namespace {
+
+constexpr std::array<const char*, 3> style_names{"scientific", "paper", "Wilkie & Weidlich"};
+constexpr std::array<const char*, 11> scale_names{
+    "by style and map", "gray",        "sequential",  "diverging",          "cyclic",          "degree (Wilkie)",
+    "type (Wilkie)",    "S1 (Wilkie)", "S2 (Wilkie)", "chirality (Wilkie)", "azimuth (Wilkie)"};
+constexpr std::array<const char*, 4> glyph_names{"none", "ellipses", "azimuth strokes", "combined"};
+constexpr std::array<const char*, 3> length_names{"equal", "by DoP", "by intensity"};
+
+/// A combo box over the values of an enumeration that begins at 0.
+template <class Choice, std::size_t count>
+bool choose(const char* name, Choice& choice, const std::array<const char*, count>& names) {
+    int index = static_cast<int>(choice);
+    if (!ImGui::Combo(name, &index, names.data(), static_cast<int>(count))) return false;
+    choice = static_cast<Choice>(index);
+    return true;
+}
+
+bool slide(const char* name, double& value, double low, double high, const char* format) {
+    return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format);
+}
+
+void choose_wavelength(Session& session) {
+    const auto& wavelengths = session.current()->picture().wavelengths_nm;
+    int index = static_cast<int>(session.view.wavelength);
+    const std::string shown = fmt::format("{:.6g} nm", wavelengths[session.view.wavelength]);
+    if (ImGui::SliderInt("wavelength", &index, 0, static_cast<int>(wavelengths.size()) - 1, shown.c_str(),
+                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
+        session.view.wavelength = static_cast<std::size_t>(index);
+    tooltip(
+        "In vacuum. Every map but the color picture shows one of the rendered wavelengths; the keys [ and ] step "
+        "through them.");
+}
+
+void choose_scale(ViewSettings& view) {
+    int index = view.scale ? static_cast<int>(*view.scale) + 1 : 0;
+    if (ImGui::Combo("scale", &index, scale_names.data(), static_cast<int>(scale_names.size()))) {
+        view.scale.reset();
+        if (index > 0) view.scale = static_cast<ColorScale>(index - 1);
+    }
+    tooltip("Colors of the map. Sequential, diverging and cyclic can be read without color vision.");
+}
+
+}  // namespace
+
+void draw_view_controls(Session& session) {
+    ViewSettings& view = session.view;
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - 80.0F);
+    choose_wavelength(session);
+    choose("style", view.style, style_names);
+    tooltip(
+        "Scientific: scales that need no color vision, states without a value in colors of their own. Paper: value "
+        "times D65, black where there is none, as Debelov & Kozlov print it. Wilkie & Weidlich: their colors of 2010.");
+    choose_scale(view);
+    slide("exposure", view.exposure, -10.0, 10.0, "%+.2f stops");
+    tooltip(
+        "Light is multiplied by 2^exposure: color, intensity and maps over the intensity. E brightens, Shift+E "
+        "darkens.");
+    slide("offset", view.offset, -1.0, 1.0, "%+.3f");
+    tooltip("Added after exposure: color and intensity. O and Shift+O.");
+    slide("gamma", view.gamma, 0.2, 5.0, "%.2f");
+    tooltip("value^(1/gamma) after the offset, on top of sRGB: color and intensity. G and Shift+G.");
+    ImGui::PopItemWidth();
+    if (ImGui::SmallButton("normalize")) fit_bar_range(session);
+    tooltip("From the smallest to the largest value that the picture has (N).");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("own range")) reset_bar_range(session);
+    tooltip("The range that the quantity has of itself.");
+    ImGui::Checkbox("over intensity", &view.over_intensity);
+    tooltip("The map's color with the lightness of the picture.");
+    ImGui::SameLine();
+    ImGui::Checkbox("numbers", &view.numbers_in_pixels);
+    tooltip("The value inside each pixel when it is zoomed large enough.");
+}
+
+void draw_glyph_controls(GlyphSettings& glyphs) {
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - 80.0F);
+    choose("ellipses", glyphs.kind, glyph_names);
+    tooltip(
+        "Polarization of the mean light around each glyph, where it stands above rounding and above what was not "
+        "traced. Blue and clockwise: right-handed; yellow: left-handed; white: linear.");
+    if (glyphs.kind != GlyphKind::none) {
+        choose("length", glyphs.length, length_names);
+        tooltip(
+            "What the major axis of a glyph says: nothing, the degree of polarization, or S0 relative to the "
+            "brightest glyph.");
+        slide("spacing", glyphs.spacing, 12.0, 80.0, "%.0f points");
+        tooltip("Distance of the glyphs on screen, whatever the zoom.");
+    }
+    ImGui::PopItemWidth();
+}
+
+}  // namespace pol
