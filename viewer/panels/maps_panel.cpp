@@ -17,15 +17,31 @@ namespace {
 /// First map of each group; the others follow in the order of the enumeration.
 constexpr std::array group_begins{Quantity::dop, Quantity::s1, Quantity::residual};
 
+/// Short enough for the list; the tooltip has the definition.
+std::string list_title(const QuantityInfo& quantity) {
+    switch (quantity.quantity) {
+        case Quantity::dolp:
+            return "Linear degree, DoLP";
+        case Quantity::docp:
+            return "Circular degree, DoCP";
+        case Quantity::dop_error:
+            return "Error bar of DoP";
+        case Quantity::ellipticity_error:
+            return "Error bar of b/a";
+        default:
+            return std::string(quantity.title);
+    }
+}
+
 }  // namespace
 
 void MapsPanel::draw(Session& session) {
-    const float key_column = ImGui::CalcTextSize("Shift+0 ").x;
+    const float key_column = ImGui::CalcTextSize("Shift+D").x;
     for (const QuantityInfo& quantity : quantities()) {
         for (const Quantity begin : group_begins) {
             if (begin == quantity.quantity) ImGui::Separator();
         }
-        const std::string title(quantity.title);
+        const std::string title = list_title(quantity);
         const KeyChord chord = chord_of(quantity.quantity);
         if (ImGui::Selectable(title.c_str(), session.view.quantity == quantity.quantity))
             session.show(quantity.quantity);
