@@ -73,8 +73,10 @@ std::vector<PathSegment> path_segments(const RayTree& tree, double open_length, 
         --index;
         const RayTreeNode& node = tree.nodes[static_cast<std::size_t>(*index)];
         const bool met_something = node.arrived && node.crossing.body >= 0;
-        const DVec3 end = met_something ? node.end.origin : node.start.origin + open_length * node.start.wave.ray;
-        segments.push_back({{node.start.origin, end}, kind_of(node), node.start.weight, *index});
+        const PathKind kind = kind_of(node);
+        const double length = kind == PathKind::lost ? 0.1 * open_length : open_length;
+        const DVec3 end = met_something ? node.end.origin : node.start.origin + length * node.start.wave.ray;
+        segments.push_back({{node.start.origin, end}, kind, node.start.weight, *index});
     }
     return segments;
 }
@@ -89,7 +91,8 @@ std::optional<int> node_at(std::span<const PathSegment> segments, const SpaceVie
         const DVec2 way = ends->second.at - ends->first.at;
         const double length2 = dot(way, way);
         const double t = length2 > 0.0 ? std::clamp(dot(at - ends->first.at, way) / length2, 0.0, 1.0) : 0.0;
-        const double distance = glm::length(at - ends->first.at - t * way);
+        constexpr double hit = 3.0;
+        const double distance = std::max(hit, glm::length(at - ends->first.at - t * way));
         if (distance > least) continue;
         least = distance;
         found = segment.node;

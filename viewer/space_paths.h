@@ -32,11 +32,12 @@ struct PathSegment {
     int node = -1;        ///< index into RayTree::nodes
 };
 
-/// Segments of the `most` heaviest branches, heaviest last (on top). A branch that met nothing is `open_length` long.
+/// Segments of the `most` heaviest branches, heaviest last (on top). A branch that met nothing is `open_length` long,
+/// one that was not followed a tenth of it.
 std::vector<PathSegment> path_segments(const RayTree& tree, double open_length, std::size_t most);
 
-/// Segment on screen nearest to `at`, no farther away than `reach` points; of equally near ones the one drawn on top.
-/// Returns its node.
+/// Segment on screen nearest to `at`, no farther away than `reach` points; of those that are hit (nearer than three
+/// points) and of equally near ones the one drawn on top. Returns its node.
 std::optional<int> node_at(std::span<const PathSegment> segments, const SpaceView& view, const DVec2& size,
                            const DVec2& at, double reach);
 

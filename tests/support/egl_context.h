@@ -19,7 +19,6 @@ public:
     [[nodiscard]] const std::string& problem() const { return problem_; }
 
 private:
-    void* display_ = nullptr;
     void* context_ = nullptr;
     std::string problem_;
 };

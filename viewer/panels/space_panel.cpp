@@ -73,6 +73,7 @@ void SpacePanel::follow(const Document& document, const std::shared_ptr<const Ex
         pieces_view_.reset();
         explanation_.reset();
         segments_.clear();
+        up_ = document.scene().camera.up;
         if (document_ != &document) reset();
         document_ = &document;
     }
@@ -86,12 +87,12 @@ void SpacePanel::reset() {
     const CameraRay ray = plan_->camera.ray(0.5 * plan_->settings.width, 0.5 * plan_->settings.height);
     // From beside the camera and a little above, so that its rays are seen from the side.
     const DVec3 side = ray.x - ray.direction + 0.6 * ray.y;
-    view_ = SpaceView::around(ball_.center, 1.3 * ball_.radius, ball_.center + side, ray.y);
+    view_ = SpaceView::around(ball_.center, 1.3 * ball_.radius, ball_.center + side, up_);
 }
 
 void SpacePanel::look_from_camera() {
     const CameraRay ray = plan_->camera.ray(0.5 * plan_->settings.width, 0.5 * plan_->settings.height);
-    view_ = SpaceView::around(ball_.center, ball_.radius, ball_.center - ray.direction, ray.y);
+    view_ = SpaceView::around(ball_.center, ball_.radius, ball_.center - ray.direction, up_);
 }
 
 void SpacePanel::draw_buttons() {

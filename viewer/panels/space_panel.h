@@ -43,6 +43,7 @@ private:
     const Document* document_ = nullptr;
     std::vector<BodyLines> bodies_;
     BoundingBall ball_;
+    DVec3 up_{};  // of the scene's camera
     SpaceView view_;
     std::optional<SpaceView> pieces_view_;  // that pieces_ were made for
     std::vector<BodyPieces> pieces_;
