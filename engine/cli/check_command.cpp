@@ -216,6 +216,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
     });
     add_check_facts_command(*command, exit_code);
     add_check_stiff_command(*command, exit_code);
+    add_check_all_command(*command, exit_code);
 }
 
 }  // namespace pol

@@ -18,4 +18,7 @@ void add_check_facts_command(CLI::App& check, int& exit_code);
 /// page.
 void add_check_stiff_command(CLI::App& check, int& exit_code);
 
+/// Adds `all` to the command `check`: everything, as one page.
+void add_check_all_command(CLI::App& check, int& exit_code);
+
 }  // namespace pol

@@ -10,13 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "cli/check_command.h"
 #include "cli/report.h"
+#include "cli/report_files.h"
 #include "core/nearest_word.h"
-#include "io/output_file.h"
 #include "verify/stiff.h"
 #include "verify/stiff_report.h"
 
@@ -122,21 +121,6 @@ void print_json(const std::vector<StiffResult>& results) {
     for (const verify::UntestedRow& row : verify::untested_rows())
         out["untested"].push_back({{"row", row.row}, {"subject", row.subject}, {"why", row.why}});
     fmt::print("{}\n", out.dump(2));
-}
-
-Result<Done> write_text(const fs::path& path, const std::string& text) {
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
-    file.value()->write(text.data(), text.size());
-    return file.value()->commit();
-}
-
-Result<Done> make_folder(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed || !fs::is_directory(folder))
-        return Error{ErrorKind::output, "cannot be made a folder", Place{folder.string()}, {}, "choose another name"};
-    return Done{};
 }
 
 Result<Done> write_folder(const fs::path& folder, const std::vector<StiffResult>& results) {

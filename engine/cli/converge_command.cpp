@@ -14,12 +14,13 @@
 
 #include "cli/progress_line.h"
 #include "cli/report.h"
+#include "cli/report_files.h"
 #include "cli/scene_options.h"
-#include "io/output_file.h"
 #include "render/renderer.h"
 #include "verify/convergence.h"
 #include "verify/convergence_report.h"
 #include "verify/convergence_summary.h"
+#include "verify/html_page.h"
 
 namespace pol {
 
@@ -80,17 +81,14 @@ void print_summary(const verify::ConvergenceResult& result, const std::filesyste
         fmt::print("  {:<32} {:>11} {:>11} {:>11} {:>11}\n", budget.setting, number_or_dash(budget.truncation),
                    number_or_dash(budget.truncation_bound), number_or_dash(budget.sampling),
                    number_or_dash(budget.spectral));
+    if (result.rounding)
+        fmt::print(
+            "\nrounding: fro_c {:.1e} against the scene turned in space; {} of {} pixels fell on another facet\n",
+            result.rounding->fro_c, result.rounding->other_paths, result.rounding->pixels);
     const double coverage = verify::worst_bound_coverage(result.rows);
     if (!std::isnan(coverage))
         fmt::print("\nbounds hold in {:.2f} % of the pixels (must be 100.00)\n", 100.0 * coverage);
     fmt::print("{}\n", printable((folder / "report.html").string()));
-}
-
-Result<Done> write_text(const std::filesystem::path& path, const std::string& text) {
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
-    file.value()->write(text.data(), text.size());
-    return file.value()->commit();
 }
 
 Result<Done> write_report(const verify::ConvergenceRequest& work, const verify::ConvergenceResult& result,
@@ -100,7 +98,9 @@ Result<Done> write_report(const verify::ConvergenceRequest& work, const verify::
     for (const verify::NamedPlot& named : verify::convergence_plots(result))
         if (auto done = write_text(work.folder / (named.name + ".svg"), verify::plot_svg(named.plot)); !done)
             return done;
-    return write_text(work.folder / "report.html", verify::convergence_html(work, result, pictures.value(), command));
+    return write_text(work.folder / "report.html",
+                      verify::html_page("Error against run time: " + work.scene_name,
+                                        verify::convergence_section(work, result, pictures.value(), command)));
 }
 
 /// The command line that makes the report again.
@@ -132,14 +132,7 @@ std::optional<Error> unusable(const ConvergeRequest& request) {
                      {},
                      "--seeds",
                      "1 to 1000; at least 5 for a band worth looking at"};
-    std::error_code status;
-    std::filesystem::create_directories(request.folder, status);
-    if (status || !std::filesystem::is_directory(request.folder))
-        return Error{ErrorKind::output,
-                     "'" + request.folder + "' cannot be made a folder: " + status.message(),
-                     {},
-                     "-o",
-                     "name a folder that can be written to"};
+    if (const auto made = make_folder(request.folder); !made) return made.error();
     return std::nullopt;
 }
 

@@ -17,6 +17,7 @@
 #include "polarization/measures.h"
 #include "render/renderer.h"
 #include "verify/machine.h"
+#include "verify/scene_twins.h"
 
 namespace pol::verify {
 
@@ -104,7 +105,11 @@ public:
 
 private:
     /// Empty when the user stops it; an error if the scene does not compile.
-    Result<std::optional<Shot>> shoot(const RenderSettings& settings, SolidKernel kernel);
+    Result<std::optional<Shot>> shoot(Scene scene, const RenderSettings& settings, SolidKernel kernel);
+    Result<std::optional<Shot>> shoot(const RenderSettings& settings, SolidKernel kernel) {
+        return shoot(request_.scene, settings, kernel);
+    }
+    Result<Done> measure_rounding();
     Result<Done> find_reference();
     Result<Done> load_rows();
     Result<Done> store_rows();
@@ -170,8 +175,7 @@ const RunRow* Sweep::row_of(const RunSetting& setting, std::uint64_t seed) const
     return found == result_.rows.end() ? nullptr : &*found;
 }
 
-Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, SolidKernel kernel) {
-    Scene scene = request_.scene;
+Result<std::optional<Shot>> Sweep::shoot(Scene scene, const RenderSettings& settings, SolidKernel kernel) {
     scene.render = settings;
     Shot shot;
     const auto compiling = Clock::now();
@@ -404,6 +408,46 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     return true;
 }
 
+Result<Done> Sweep::measure_rounding() {
+    doing_ = "rounding";
+    constexpr int depth = 6;
+    constexpr double same_path = 1e-9;
+    const Scene scene = cut_by_depth(request_.scene, depth);
+    // A turn that no axis of the world survives.
+    const DVec3 x = unit(DVec3(2.0, -1.0, 0.5));
+    const DVec3 y = unit(cross(DVec3(0.3, 1.0, 0.7), x));
+    const Scene turned = carried(scene, DMat3(x, y, cross(x, y)), 1.0, DVec3(0.0));
+    std::vector<StokesImage> images;
+    for (const Scene& one : {scene, turned}) {
+        auto shot = shoot(one, one.render, SolidKernel::half_spaces);
+        if (!shot) return shot.error();
+        if (!shot.value()) return Done{};
+        images.push_back(std::move(shot.value()->image));
+    }
+    RoundingError error;
+    error.pixels = images[0].pixel_count();
+    const double unit_of_error = rms_of_matrix(images[0]);
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t p = 0; p < error.pixels; ++p) {
+        double squares = 0.0;
+        for (std::size_t w = 0; w < images[0].wavelengths_nm.size(); ++w) {
+            const Stokes<double> d = images[1].at(w, p) - images[0].at(w, p);
+            const double polarized = polarized_part(d);
+            squares += 0.5 * (d.s0 * d.s0 + polarized * polarized);
+        }
+        if (squares > same_path * same_path * unit_of_error * unit_of_error) {
+            ++error.other_paths;
+            continue;
+        }
+        sum += squares;
+        count += static_cast<double>(images[0].wavelengths_nm.size());
+    }
+    if (count > 0.0 && unit_of_error > 0.0) error.fro_c = std::sqrt(sum / count) / unit_of_error;
+    result_.rounding = error;
+    return Done{};
+}
+
 Result<ConvergenceResult> Sweep::run() {
     auto plan = compile(request_.scene);
     if (!plan) return plan.error();
@@ -423,6 +467,9 @@ Result<ConvergenceResult> Sweep::run() {
             const auto measured = measure_setting(setting, static_cast<std::uint64_t>(seed));
             if (!measured) return measured.error();
         }
+    }
+    if (!stopped_) {
+        if (auto measured = measure_rounding(); !measured) return measured.error();
     }
     result_.complete = !stopped_;
     return std::move(result_);

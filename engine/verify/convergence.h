@@ -33,11 +33,20 @@ struct ConvergenceRequest {
     std::string tool_version;
 };
 
+/// Floating-point error of whole pictures: against the scene turned in space, which is the same picture in exact
+/// arithmetic. Trees are cut by depth, so that no tie of weights is broken otherwise.
+struct RoundingError {
+    double fro_c = 0.0;           ///< over the pixels of equal paths
+    std::size_t other_paths = 0;  ///< pixels that differ by more than 1e-9: a ray near an edge met the other facet
+    std::size_t pixels = 0;
+};
+
 struct ConvergenceResult {
     std::vector<RunRow> rows;      ///< in the order in which they were made
     std::string reference_id;      ///< how the reference was made, for people
     double reference_error = 0.0;  ///< fro_c, estimated
-    bool complete = false;         ///< false: stopped early; the rows so far are in runs.csv
+    std::optional<RoundingError> rounding;
+    bool complete = false;  ///< false: stopped early; the rows so far are in runs.csv
 };
 
 /// What a user sees while it runs. `done` of `all` timed renders; returns false to stop.

@@ -191,8 +191,8 @@ Result<std::vector<BudgetPicture>> budget_pictures(const ConvergenceRequest& req
     return pictures;
 }
 
-std::string convergence_html(const ConvergenceRequest& request, const ConvergenceResult& result,
-                             const std::vector<BudgetPicture>& pictures, const std::string& command) {
+std::string convergence_section(const ConvergenceRequest& request, const ConvergenceResult& result,
+                                const std::vector<BudgetPicture>& pictures, const std::string& command) {
     const std::vector<Curve> all = curves(result.rows);
     const RunRow& any = result.rows.front();
     std::string body = "<p><code>" + xml_text(command) + "</code></p>\n";
@@ -211,7 +211,7 @@ std::string convergence_html(const ConvergenceRequest& request, const Convergenc
     for (const NamedPlot& named : convergence_plots(result)) body += "<figure>" + plot_svg(named.plot) + "</figure>\n";
     body += "</div>\n";
 
-    body += "<h2>The cheapest way to an error</h2>\n<table>" +
+    body += "<h3>The cheapest way to an error</h3>\n<table>" +
             row_of({"error (fro_c)", "setting", "reached", "CPU s", "wall s"}, "th");
     for (const Cheapest& best : cheapest(all, {1e-1, 1e-2, 1e-3}))
         body += best.point ? row_of({fmt::format("{:g}", best.error), best.point->setting + " (" + best.series + ")",
@@ -220,7 +220,7 @@ std::string convergence_html(const ConvergenceRequest& request, const Convergenc
                            : row_of({fmt::format("{:g}", best.error), "no setting reached it", "", "", ""});
     body += "</table>\n";
 
-    body += "<h2>Every setting</h2>\n<table>" +
+    body += "<h3>Every setting</h3>\n<table>" +
             row_of({"setting", "error", "smallest", "largest", "bound", "CPU s", "wall s"}, "th");
     for (const Curve& curve : all) {
         body += fmt::format("<tr><td colspan=\"7\"><b>{}</b>{}</td></tr>\n", xml_text(curve.series),
@@ -233,7 +233,7 @@ std::string convergence_html(const ConvergenceRequest& request, const Convergenc
     body += "</table>\n";
 
     body +=
-        "<h2>The error taken apart</h2>\n<p><span style=\"color:#3b7dd8\">truncation</span>: against a deeper render "
+        "<h3>The error taken apart</h3>\n<p><span style=\"color:#3b7dd8\">truncation</span>: against a deeper render "
         "of the same samples; <span style=\"color:#d87b3b\">sampling</span>: scatter of independent seeds; <span "
         "style=\"color:#7a4fc0\">spectral</span>: color against every second wavelength. Empty: does not apply.</p>\n"
         "<table>" +
@@ -242,6 +242,11 @@ std::string convergence_html(const ConvergenceRequest& request, const Convergenc
         body += row_of({budget.setting, number(budget.truncation), number(budget.truncation_bound),
                         number(budget.sampling), number(budget.spectral), budget_bar(budget)});
     body += "</table>\n";
+    if (result.rounding)
+        body += fmt::format(
+            "<p>Rounding: fro_c {:.1e} against the same scene turned in space, which in exact arithmetic is the same "
+            "picture; {} of {} pixels, where a path fell on another facet, are left out of it.</p>\n",
+            result.rounding->fro_c, result.rounding->other_paths, result.rounding->pixels);
     const double coverage = worst_bound_coverage(result.rows);
     if (!std::isnan(coverage))
         body +=
@@ -249,13 +254,13 @@ std::string convergence_html(const ConvergenceRequest& request, const Convergenc
                         coverage < 1.0 ? "bad" : "good", 100.0 * coverage);
 
     body +=
-        "<h2>Pictures at three budgets</h2>\n<p>Above the picture, below its error on a logarithmic scale: dark 1e-6, "
+        "<h3>Pictures at three budgets</h3>\n<p>Above the picture, below its error on a logarithmic scale: dark 1e-6, "
         "bright 1 (|dC| of the pixel over the root mean square of |C|).</p>\n<div class=\"pictures\">\n";
     for (const BudgetPicture& picture : pictures)
         body += "<figure>" + html_image(picture.picture, picture.caption) + html_image(picture.error, "error of it") +
                 "<figcaption>" + xml_text(picture.caption) + "</figcaption></figure>\n";
     body += "</div>\n";
-    return html_page("Error against run time: " + request.scene_name, body);
+    return body;
 }
 
 }  // namespace pol::verify

@@ -31,8 +31,8 @@ struct BudgetPicture {
 };
 Result<std::vector<BudgetPicture>> budget_pictures(const ConvergenceRequest& request, const ConvergenceResult& result);
 
-/// `command` is the command line that makes it again.
-std::string convergence_html(const ConvergenceRequest& request, const ConvergenceResult& result,
-                             const std::vector<BudgetPicture>& pictures, const std::string& command);
+/// Curves, tables and pictures as a part of a page. `command` is the command line that makes it again.
+std::string convergence_section(const ConvergenceRequest& request, const ConvergenceResult& result,
+                                const std::vector<BudgetPicture>& pictures, const std::string& command);
 
 }  // namespace pol::verify

@@ -7,21 +7,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "verify/html_page.h"
+
 namespace pol::verify {
 
 namespace {
-
-constexpr const char* page_head = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><meta name="color-scheme" content="light dark">
-<meta name="viewport" content="width=device-width"><title>polariscope check stiff</title>
-<style>
-body{font-family:sans-serif;margin:2em auto;max-width:1360px;padding:0 1em;line-height:1.45}
-table{border-collapse:collapse;width:100%}th,td{padding:.25em .6em;text-align:left;border-bottom:1px solid #8884}
-td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}.bad{color:#d22;font-weight:bold}
-.plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(560px,1fr));gap:1em}figure{margin:0}
-svg{width:100%;height:auto}.soft{opacity:.75}
-</style></head><body>
-)";
 
 const char* explanation =
     "<p>Every case drives one knob towards a point where formulas degenerate. <b>Error</b>: largest deviation of the "
@@ -67,14 +57,12 @@ Plot stiff_plot(const StiffResult& result) {
     return plot;
 }
 
-std::string stiff_page(const std::vector<StiffResult>& results) {
+std::string stiff_section(const std::vector<StiffResult>& results) {
     const auto sound = static_cast<std::size_t>(
         std::count_if(results.begin(), results.end(), [](const StiffResult& r) { return r.sound; }));
     std::size_t points = 0;
     for (const StiffResult& r : results) points += r.points.size();
-    std::string page = page_head;
-    page += fmt::format("<h1>Numbers near singular points</h1>\n<p>{} of {} cases are sound, at {} settings.</p>\n",
-                        sound, results.size(), points);
+    std::string page = fmt::format("<p>{} of {} cases are sound, at {} settings.</p>\n", sound, results.size(), points);
     page += explanation;
     page +=
         "<table><tr><th>row</th><th>case</th><th>knob</th><th>worst error</th><th>condition there</th>"
@@ -87,16 +75,20 @@ std::string stiff_page(const std::vector<StiffResult>& results) {
             r.worst.finding.condition, r.ratio, r.limit, r.sound ? "" : " class=\"bad\"",
             r.sound ? "sound" : "UNSOUND");
     }
-    page += "</table>\n<h2>Rows without a case</h2>\n<ul>\n";
+    page += "</table>\n<h3>Rows without a case</h3>\n<ul>\n";
     for (const UntestedRow& row : untested_rows())
         page += fmt::format("<li>{}, {}: {}</li>\n", row.row, xml_text(row.subject), xml_text(row.why));
-    page += "</ul>\n<h2>Error against stiffness</h2>\n<div class=\"plots\">\n";
+    page += "</ul>\n<h3>Error against stiffness</h3>\n<div class=\"plots\">\n";
     for (const StiffResult& r : results)
         page += fmt::format(
             "<figure id=\"{}\">\n{}<figcaption class=\"soft\">Row {}. Compared: {}. Reference: "
             "{}.</figcaption></figure>\n",
             r.of->name, plot_svg(stiff_plot(r)), r.of->row, xml_text(r.of->results), xml_text(r.of->reference));
-    return page + "</div>\n</body></html>\n";
+    return page + "</div>\n";
+}
+
+std::string stiff_page(const std::vector<StiffResult>& results) {
+    return html_page("Numbers near singular points", stiff_section(results));
 }
 
 }  // namespace pol::verify

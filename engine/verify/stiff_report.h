@@ -16,7 +16,8 @@ Plot stiff_plot(const StiffResult& result);
 /// "1e-01 .. 1e-16, 0".
 std::string range_text(const StiffCase& stiff_case);
 
-/// A self-contained HTML page: verdicts, all plots, the untested rows.
+/// Verdicts, the untested rows and all plots as a part of a page, and as a self-contained page.
+std::string stiff_section(const std::vector<StiffResult>& results);
 std::string stiff_page(const std::vector<StiffResult>& results);
 
 }  // namespace pol::verify

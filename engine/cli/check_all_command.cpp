@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/check_command.h"
+#include "cli/report.h"
+#include "cli/report_files.h"
+#include "io/assets.h"
+#include "io/scene_file.h"
+#include "render/renderer.h"
+#include "verify/convergence.h"
+#include "verify/convergence_report.h"
+#include "verify/convergence_summary.h"
+#include "verify/fact.h"
+#include "verify/html_page.h"
+#include "verify/invariants.h"
+#include "verify/machine.h"
+#include "verify/scene_twins.h"
+#include "verify/stiff.h"
+#include "verify/stiff_report.h"
+
+namespace pol {
+
+namespace {
+
+namespace fs = std::filesystem;
+using verify::xml_text;
+
+struct AllRequest {
+    std::string folder;
+    int size = 12;
+};
+
+/// A chapter of the report: what it found in a line, and in full.
+struct Chapter {
+    std::string title;
+    std::string verdict;
+    std::string body;
+    bool good = true;
+};
+
+Chapter check_facts() {
+    Chapter chapter{"Facts of polarization optics", {}, {}};
+    std::size_t pass = 0;
+    std::size_t fail = 0;
+    std::size_t readings = 0;
+    chapter.body =
+        "<table><tr><th>fact</th><th>reading</th><th class=\"n\">expected</th><th class=\"n\">measured</th>"
+        "<th class=\"n\">off by, tolerances</th><th>verdict</th></tr>\n";
+    for (const verify::Fact& fact : verify::facts()) {
+        const verify::FactResult result = verify::run_fact(fact);
+        pass += result.verdict == verify::Verdict::pass ? 1 : 0;
+        fail += result.verdict == verify::Verdict::fail ? 1 : 0;
+        chapter.body +=
+            fmt::format("<tr><td><b>{}</b></td><td colspan=\"5\">{} <span class=\"soft\">{}{}</span></td></tr>\n",
+                        fact.id, xml_text(fact.sentence), xml_text(fact.source),
+                        fact.not_modelled.empty() ? "" : ". Not modelled: " + xml_text(fact.not_modelled));
+        for (std::size_t i = 0; i < result.readings.size(); ++i, ++readings) {
+            const verify::Reading& reading = fact.readings[i];
+            const verify::ReadingResult& got = result.readings[i];
+            const std::string view = fact.views[reading.view].name;
+            chapter.body += fmt::format(
+                "<tr><td></td><td title=\"{}\">{}{}</td><td class=\"n\">{:.12g}</td><td class=\"n\">{:.12g} {}</td>"
+                "<td class=\"n\">{:.2g}</td><td class=\"{}\">{}</td></tr>\n",
+                xml_text(reading.tolerance.from), view.empty() ? "" : xml_text(view) + ": ", xml_text(reading.what),
+                reading.expected, got.measured, reading.unit, got.deviation,
+                got.verdict == verify::Verdict::pass ? "good" : "bad", verify::verdict_text(got.verdict));
+        }
+    }
+    chapter.body += "</table>\n";
+    chapter.good = fail == 0;
+    chapter.verdict = fmt::format("{} facts hold with {} readings, {} fail, {} are not modelled", pass, readings, fail,
+                                  verify::facts().size() - pass - fail);
+    return chapter;
+}
+
+Chapter check_stiff() {
+    Chapter chapter{"Numbers near singular points", {}, {}};
+    std::vector<verify::StiffResult> results;
+    for (const verify::StiffCase& one : verify::stiff_cases()) results.push_back(verify::run(one));
+    const auto sound = static_cast<std::size_t>(
+        std::count_if(results.begin(), results.end(), [](const verify::StiffResult& r) { return r.sound; }));
+    chapter.body = verify::stiff_section(results);
+    chapter.good = sound == results.size();
+    chapter.verdict = fmt::format("{} of {} sweeps are sound", sound, results.size());
+    return chapter;
+}
+
+std::vector<fs::path> shipped_scenes() {
+    std::vector<fs::path> scenes;
+    std::error_code status;
+    for (const auto& entry : fs::directory_iterator(assets_dir() / "scenes", status))
+        if (entry.path().extension() == ".yaml") scenes.push_back(entry.path());
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+Result<Chapter> check_scenes(const AllRequest& request) {
+    Chapter chapter{"What holds for every scene", {}, {}};
+    std::size_t pass = 0;
+    std::size_t fail = 0;
+    std::size_t numbers = 0;
+    chapter.body = fmt::format(
+        "<p>Every shipped scene at {0}x{0} pixels. A cell says how near the worst number came to its "
+        "tolerance; &ndash;: does not apply.</p>\n<table><tr><th>scene</th>",
+        request.size);
+    for (const verify::Invariant& invariant : verify::invariants())
+        chapter.body += fmt::format("<th title=\"{}\">{}</th>", xml_text(invariant.sentence), xml_text(invariant.name));
+    chapter.body += "</tr>\n";
+    for (const fs::path& path : shipped_scenes()) {
+        const auto scene = load_scene(path);
+        if (!scene) return scene.error();
+        const auto test = verify::under_test(verify::small(scene.value(), request.size));
+        if (!test) return test.error();
+        fmt::print("  {}\n", path.filename().string());
+        std::fflush(stdout);
+        chapter.body += "<tr><td>" + xml_text(path.stem().string()) + "</td>";
+        for (const verify::Invariant& invariant : verify::invariants()) {
+            const verify::InvariantResult result = invariant.check(test.value());
+            numbers += result.tested;
+            pass += result.outcome == verify::Outcome::pass ? 1 : 0;
+            fail += result.outcome == verify::Outcome::fail ? 1 : 0;
+            chapter.body += result.outcome == verify::Outcome::does_not_apply
+                                ? fmt::format("<td class=\"soft\" title=\"{}\">&ndash;</td>", xml_text(result.note))
+                                : fmt::format("<td class=\"{}\">{:.2g}</td>",
+                                              result.outcome == verify::Outcome::pass ? "good" : "bad", result.worst);
+        }
+        chapter.body += "</tr>\n";
+    }
+    chapter.body += "</table>\n<ul>\n";
+    for (const verify::Invariant& invariant : verify::invariants())
+        chapter.body += "<li><b>" + xml_text(invariant.name) + "</b>: " + xml_text(invariant.sentence) + "</li>\n";
+    chapter.body += "</ul>\n";
+    chapter.good = fail == 0;
+    chapter.verdict = fmt::format("{} checks of {} numbers hold, {} fail", pass, numbers, fail);
+    return chapter;
+}
+
+/// Error against time of one of the paper's scenes, into a folder of its own that a second start goes on with.
+Result<Chapter> check_convergence(const AllRequest& request, const std::string& name) {
+    Chapter chapter{"Error against run time: " + name, {}, {}};
+    auto scene = load_scene(assets_dir() / "scenes" / (name + ".yaml"));
+    if (!scene) return scene.error();
+    verify::ConvergenceRequest work;
+    work.scene = std::move(scene).value();
+    work.scene.render.width = work.scene.render.height = 4 * request.size;
+    work.scene_name = name;
+    work.folder = fs::path(request.folder) / name;
+    work.threads = hardware_threads();
+    work.tool_version = POL_VERSION;
+    if (const auto made = make_folder(work.folder); !made) return made.error();
+    const auto result = verify::converge(work, [](const verify::ConvergenceProgress&) { return true; });
+    if (!result) return result.error();
+    const auto pictures = verify::budget_pictures(work, result.value());
+    if (!pictures) return pictures.error();
+    const double coverage = verify::worst_bound_coverage(result.value().rows);
+    chapter.body =
+        verify::convergence_section(work, result.value(), pictures.value(),
+                                    fmt::format("polariscope converge assets/scenes/{}.yaml -o {} --size {}x{}", name,
+                                                name, work.scene.render.width, work.scene.render.height));
+    chapter.good = !(coverage < 1.0);
+    chapter.verdict = fmt::format("bounds hold in {:.2f} % of the pixels", 100.0 * coverage);
+    return chapter;
+}
+
+int run(const AllRequest& request) {
+    constexpr int smallest = 4;
+    constexpr int largest = 128;
+    if (request.size < smallest || request.size > largest)
+        return report({ErrorKind::usage,
+                       fmt::format("{} is no size of a picture", request.size),
+                       {},
+                       "--size",
+                       fmt::format("{} to {} pixels a side", smallest, largest)});
+    if (const auto made = make_folder(request.folder); !made) return report(made.error());
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Chapter> chapters;
+    const auto add = [&](Chapter chapter) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        fmt::print("{}: {} ({} since the start)\n", chapter.title, chapter.verdict, duration_text(elapsed.count()));
+        std::fflush(stdout);
+        chapters.push_back(std::move(chapter));
+    };
+    add(check_facts());
+    add(check_stiff());
+    auto scenes = check_scenes(request);
+    if (!scenes) return report(scenes.error());
+    add(std::move(scenes).value());
+    for (const char* name : {"paper-glass-unpolarized", "paper-calcite-unpolarized"}) {
+        auto chapter = check_convergence(request, name);
+        if (!chapter) return report(chapter.error());
+        add(std::move(chapter).value());
+    }
+    const bool good = std::all_of(chapters.begin(), chapters.end(), [](const Chapter& c) { return c.good; });
+    std::string body = fmt::format(
+        "<p><code>polariscope check all -o {}</code></p>\n<p>polariscope {}, {} threads of {}, {}.</p>\n<ul>\n",
+        xml_text(request.folder), POL_VERSION, hardware_threads(), xml_text(verify::cpu_name()), verify::utc_now());
+    for (std::size_t i = 0; i < chapters.size(); ++i)
+        body += fmt::format("<li><a href=\"#chapter{}\">{}</a>: <span class=\"{}\">{}</span></li>\n", i,
+                            xml_text(chapters[i].title), chapters[i].good ? "good" : "bad", chapters[i].verdict);
+    body += "</ul>\n";
+    for (std::size_t i = 0; i < chapters.size(); ++i)
+        body += fmt::format("<h2 id=\"chapter{}\">{}</h2>\n<p class=\"{}\">{}</p>\n{}", i, xml_text(chapters[i].title),
+                            chapters[i].good ? "good" : "bad", chapters[i].verdict, chapters[i].body);
+    const fs::path page = fs::path(request.folder) / "report.html";
+    if (const auto written = write_text(page, verify::html_page("Can polariscope be trusted?", body)); !written)
+        return report(written.error());
+    fmt::print("{}\n", printable(page.string()));
+    return good ? 0 : 1;
+}
+
+}  // namespace
+
+void add_check_all_command(CLI::App& check, int& exit_code) {
+    auto request = std::make_shared<AllRequest>();
+    CLI::App* command = check.add_subcommand("all", "All checks on all shipped scenes, as one page");
+    command->add_option("-o,--output", request->folder, "Folder for report.html and the runs behind its curves")
+        ->required();
+    command->add_option("--size", request->size, "Pixels along the sides of the scenes' pictures")
+        ->capture_default_str();
+    command->footer(
+        "Facts, stiff cases, invariants of every shipped scene, and error against time on the paper's glass and "
+        "calcite.\n"
+        "Exit codes: 0 all is well; 1 something is not.\n"
+        "\nExample:\n"
+        "  polariscope check all -o report");
+    command->callback([request, &exit_code] { exit_code = run(*request); });
+}
+
+}  // namespace pol
