@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "verify/html_page.h"
 
@@ -27,7 +28,7 @@ const char* explanation =
 std::string range_text(const StiffCase& stiff_case) {
     const std::vector<double>& all = stiff_case.settings;
     const bool ends_at_zero = all.back() == 0.0 && all.size() > 1;
-    std::string text = fmt::format("{:.3g} .. {:.3g}", all.front(), ends_at_zero ? all[all.size() - 2] : all.back());
+    std::string text = fmt::format("{:.4g} .. {:.4g}", all.front(), ends_at_zero ? all[all.size() - 2] : all.back());
     return ends_at_zero ? text + ", 0" : text;
 }
 
@@ -36,10 +37,17 @@ Plot stiff_plot(const StiffResult& result) {
     Plot plot;
     plot.title = of.name;
     plot.subtitle = of.sentence;
-    const bool falling = of.settings.front() > of.settings[of.settings.size() / 2];
-    plot.x = {of.knob, AxisScale::logarithmic, {}, {}, falling};
-    const double span = *std::max_element(of.settings.begin(), of.settings.end());
-    if (span < 100.0 && of.settings.front() == 0.0) plot.x.scale = AxisScale::linear;
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0.0;
+    for (const double setting : of.settings) {
+        if (setting > 0.0) low = std::min(low, setting);
+        high = std::max(high, setting);
+    }
+    // Settings of one order of magnitude, or zero among the first, read better on a linear axis.
+    const bool linear = high < 100.0 * low || of.settings.front() == 0.0;
+    const bool falling = of.settings.front() > of.settings[1];
+    plot.x = {of.knob, linear ? AxisScale::linear : AxisScale::logarithmic, low, high, falling};
+    if (of.settings.front() == 0.0) plot.x.low = 0.0;
     plot.y = {"error", AxisScale::logarithmic, {}, {}, false};
     PlotSeries error{"error", {}, 0, PlotMarker::circle, true, false};
     PlotSeries condition{"condition (one ulp of the inputs)", {}, 1, PlotMarker::none, true, false};
