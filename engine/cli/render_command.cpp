@@ -182,16 +182,16 @@ void add_render_command(CLI::App& app, int& exit_code) {
                         "Stop after this many seconds and write what is there; in mode area without --spp, "
                         "add samples until then");
     command->add_option("--error", request->error,
-                        "Stop when the estimated error of the picture is below this share of it, for example 0.01: "
-                        "half for light that is not traced (a bound, for which the residual is refined), half for "
-                        "too few samples (an estimate, 68 %). Renders in mode area unless --mode says otherwise, "
-                        "and without --spp adds samples until then. Exit code 10 if --time comes first");
+                        "Stop when the estimated error is below this share of the picture, for example 0.01");
     command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file");
     command->add_flag("--quiet", request->quiet, "Print errors only");
     command->footer(
         "Ctrl-C stops, writes what is there and exits with 130 (SIGTERM: 143). Ctrl-Z pauses, fg goes on; a pause "
         "counts\n"
         "neither for --time nor for the time left.\n"
+        "\n--error E: light that is not traced (a bound, for which the residual is refined) and too few samples (an\n"
+        "estimate, 68 %) must each fall below half of E. Mode area unless --mode says otherwise; without --spp,\n"
+        "samples are added until then. Exit code 10 if --time or --spp ends it before.\n"
         "\nExamples:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr --wavelengths 380:780:20\n"
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"

@@ -26,15 +26,14 @@ double frobenius_square(const Stokes<double>& s) {
 
 /// h of ErrorSums, component by component. Requires: samples >= 2.
 Stokes<double> half_difference(const Stokes<double>& sum, const Stokes<float>& odd_minus_even, std::uint32_t samples) {
-    const double odd = samples / 2;
-    const double even = samples - samples / 2;
+    const Stokes<double> difference{odd_minus_even.s0, odd_minus_even.s1, odd_minus_even.s2, odd_minus_even.s3};
     const double whole = samples;
-    const auto component = [&](double s, double d) {
-        if (odd == even) return d / whole;
-        return (0.5 * (s + d) / odd - 0.5 * (s - d) / even) * std::sqrt(odd * even) / whole;
-    };
-    return {component(sum.s0, odd_minus_even.s0), component(sum.s1, odd_minus_even.s1),
-            component(sum.s2, odd_minus_even.s2), component(sum.s3, odd_minus_even.s3)};
+    if (samples % 2 == 0) return (1.0 / whole) * difference;
+    const double odd = samples / 2;
+    const double even = whole - odd;
+    // Means of the halves: (sum + difference) / 2 odd, (sum - difference) / 2 even.
+    const double scale = 0.5 * std::sqrt(odd * even) / whole;
+    return (scale / odd) * (sum + difference) - (scale / even) * (sum - difference);
 }
 
 }  // namespace
@@ -117,29 +116,39 @@ void FilmSums::add(TileSums& tile, const TileBuffer& pass) const {
 }
 
 ErrorSums FilmSums::measure(const TileSums& tile) const {
+    // Wavelengths of a group have the same residual.
+    std::vector<double> members(groups(), 0.0);
+    std::vector<double> brightest_square(groups(), 0.0);
+    for (std::size_t w = 0; w < wavelengths(); ++w) {
+        const auto group = static_cast<std::size_t>(layout.group_of_wavelength[w]);
+        members[group] += 1.0;
+        brightest_square[group] += square(brightest(w));
+    }
     ErrorSums sums;
     const bool count_tail = !layout.random_samples && !tile.tail.empty();
     for (std::size_t pixel = 0; pixel < tile.samples.size(); ++pixel) {
         const std::uint32_t samples = tile.samples[pixel];
         if (samples == 0) continue;
         const double share = 1.0 / samples;
-        const bool halved = samples >= 2 && !tile.odd_minus_even.empty();
+        for (std::size_t g = 0; g < groups(); ++g) {
+            const std::size_t at = pixel * groups() + g;
+            const double residual = share * (tile.residual[at] + (count_tail ? tile.tail[at] : 0.0));
+            sums.residual += members[g] * residual;
+            sums.residual_max = std::max(sums.residual_max, residual);
+            sums.missing += brightest_square[g] * square(residual);
+        }
         double light = 0.0;
+        for (std::size_t w = 0; w < wavelengths(); ++w)
+            light += frobenius_square(tile.stokes[pixel * wavelengths() + w]);
+        sums.light += square(share) * light;
+        sums.count += static_cast<double>(wavelengths());
+        if (samples < 2 || tile.odd_minus_even.empty()) continue;
         for (std::size_t w = 0; w < wavelengths(); ++w) {
             const std::size_t at = pixel * wavelengths() + w;
-            light += square(share) * frobenius_square(tile.stokes[at]);
-            if (halved)
-                sums.half_error += frobenius_square(half_difference(tile.stokes[at], tile.odd_minus_even[at], samples));
-            const auto group = pixel * groups() + static_cast<std::size_t>(layout.group_of_wavelength[w]);
-            const double residual = share * (tile.residual[group] + (count_tail ? tile.tail[group] : 0.0));
-            sums.residual += residual;
-            sums.residual_max = std::max(sums.residual_max, residual);
-            sums.missing += square(residual * brightest(w));
+            sums.half_error += frobenius_square(half_difference(tile.stokes[at], tile.odd_minus_even[at], samples));
         }
-        sums.light += light;
-        sums.count += static_cast<double>(wavelengths());
-        if (halved) sums.halved_light += light;
-        sums.has_halves = sums.has_halves || halved;
+        sums.halved_light += square(share) * light;
+        sums.has_halves = true;
     }
     return sums;
 }
