@@ -12,8 +12,10 @@ bool same_branches(const ExplanationRequest& a, const ExplanationRequest& b) {
     return a.plan == b.plan && a.pixel == b.pixel && a.sample == b.sample && group(a) == group(b);
 }
 
-ExplanationJob::ExplanationJob(std::function<void()> wake)
-    : wake_(std::move(wake)), worker_([this](const std::stop_token& shutdown) { work(shutdown); }) {}
+ExplanationJob::ExplanationJob(std::function<void()> wake, std::size_t most_branches)
+    : wake_(std::move(wake)),
+      most_branches_(most_branches),
+      worker_([this](const std::stop_token& shutdown) { work(shutdown); }) {}
 
 void ExplanationJob::ask(const std::optional<ExplanationRequest>& request) {
     if (request == request_) return;
@@ -73,7 +75,7 @@ void ExplanationJob::work(const std::stop_token& shutdown) {
         const auto keep_going = [&](std::size_t branches) {
             if (newest_ != number || shutdown.stop_requested()) return false;
             branches_ = branches;
-            return branches <= most_branches;
+            return branches <= most_branches_;
         };
         try {
             auto found = explain(*request.plan, request.pixel.x, request.pixel.y, request.sample, request.wavelength,
@@ -81,7 +83,7 @@ void ExplanationJob::work(const std::stop_token& shutdown) {
             if (found)
                 result = std::make_shared<const Explanation>(std::move(*found));
             else
-                problem = "The tree has more than " + std::to_string(most_branches) +
+                problem = "The tree has more than " + std::to_string(most_branches_) +
                           " branches: allow a larger residual or a smaller node budget";
         } catch (const std::bad_alloc&) {
             problem = "The tree does not fit into memory: allow a larger residual or a smaller node budget";

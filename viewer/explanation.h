@@ -52,11 +52,11 @@ struct ExplanationStatus {
 /// Thread safety: one owner calls the members; `wake` is called from the worker.
 class ExplanationJob {
 public:
-    /// Trees of more branches than this are refused: with about half a kilobyte per branch a quarter of a gigabyte.
-    static constexpr std::size_t most_branches = 500'000;
+    /// Branches of the largest tree that is kept: some 400 MB.
+    static constexpr std::size_t default_most_branches = 500'000;
 
-    /// `wake` is called whenever an explanation is ready or has failed.
-    explicit ExplanationJob(std::function<void()> wake = {});
+    /// `wake` is called whenever an explanation is ready or has failed. Trees of more than `most_branches` are refused.
+    explicit ExplanationJob(std::function<void()> wake = {}, std::size_t most_branches = default_most_branches);
     /// Cancels and joins.
     ~ExplanationJob() = default;
     ExplanationJob(const ExplanationJob&) = delete;
@@ -80,6 +80,7 @@ private:
     void work(const std::stop_token& shutdown);
 
     std::function<void()> wake_;
+    std::size_t most_branches_;
     std::optional<ExplanationRequest> request_;  // of the owner's thread alone
     std::atomic<std::uint64_t> newest_ = 0;      // number of the newest request; older ones give up
     std::atomic<std::size_t> branches_ = 0;

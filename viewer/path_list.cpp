@@ -76,7 +76,8 @@ bool PathList::passes(int leaf) const {
     if (filter_.total_reflection && !facts.had_total) return false;
     if (filter_.body && !facts.had_body) return false;
     if (filter_.unresolved && !is_unresolved(*node(leaf).reason)) return false;
-    return !filter_.bright || node(leaf).light.s0 >= filter_.least_share * explanation_->sample_light.s0;
+    const double s0 = node(leaf).light.s0;
+    return !filter_.bright || (s0 > 0.0 && s0 >= filter_.least_share * explanation_->sample_light.s0);
 }
 
 void PathList::apply_filter() {

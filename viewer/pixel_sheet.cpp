@@ -224,9 +224,10 @@ WavelengthReading reading_of(const Explanation& e, const Plan& plan, const Bench
 
 }  // namespace
 
-std::string complex_text(const Complex<double>& z) {
+std::string complex_text(const Complex<double>& z, int digits) {
     if (!std::isfinite(z.re) || !std::isfinite(z.im)) return "not a number";
-    return fmt::format("{} {} {} i", short_number(z.re, 7), z.im < 0.0 ? '-' : '+', short_number(std::abs(z.im), 7));
+    return fmt::format("{} {} {} i", short_number(z.re, digits), z.im < 0.0 ? '-' : '+',
+                       short_number(std::abs(z.im), digits));
 }
 
 std::string exact_text(const Complex<double>& z) {

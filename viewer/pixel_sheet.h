@@ -52,9 +52,9 @@ PixelSheet make_pixel_sheet(const Session& session);
 /// Requires: as make_pixel_sheet.
 double sheet_frame_angle(const Session& session);
 
-/// "0.25 - 0.1 i", seven significant digits.
-std::string complex_text(const Complex<double>& z);
-/// The same with 17.
+/// "0.25 - 0.1 i", or "not a number".
+std::string complex_text(const Complex<double>& z, int digits = 7);
+/// The same with 17 digits, for the clipboard.
 std::string exact_text(const Complex<double>& z);
 
 /// What the curves over wavelength show; none where it is undefined.

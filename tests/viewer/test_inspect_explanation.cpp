@@ -96,13 +96,16 @@ TEST(ExplanationJob, CanBeCancelledAndStartedAgain) {
 }
 
 TEST(ExplanationJob, RefusesATreeThatWouldEatTheMemory) {
-    ExplanationJob job;
+    constexpr std::size_t most_branches = 20'000;
+    ExplanationJob job({}, most_branches);
     job.ask(ExplanationRequest{endless_plan(100'000'000), through_the_cube, 0, 0});
     const ExplanationStatus status = ended(job);
     ASSERT_EQ(status.state, ExplanationState::failed);
+    EXPECT_NE(status.problem.find("more than 20000 branches"), std::string::npos) << status.problem;
     EXPECT_NE(status.problem.find("smaller node budget"), std::string::npos) << status.problem;
     EXPECT_EQ(job.result(), nullptr);
-    EXPECT_LE(sizeof(RayTreeNode) * ExplanationJob::most_branches, std::size_t{400} << 20U);
+    EXPECT_LT(status.branches, most_branches + 2000) << "it stops soon after";
+    EXPECT_LE(sizeof(RayTreeNode) * ExplanationJob::default_most_branches, std::size_t{400'000'000});
 }
 
 TEST(ExplanationJob, EndsWithItsOwner) {

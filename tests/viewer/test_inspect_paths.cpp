@@ -126,6 +126,11 @@ TEST(PathList, SharesOfComplementaryFiltersAddUp) {
         filter.bright = true;
         list.set_filter(filter);
         EXPECT_LE(list.shown().leaves, 100U) << "each of them brings a hundredth";
+        std::size_t bright = 0;
+        for (const int leaf : tree.explanation->tree.leaves)
+            if (tree.node(leaf).light.s0 >= 0.01 * tree.explanation->sample_light.s0) ++bright;
+        ASSERT_GT(tree.explanation->sample_light.s0, 0.0);
+        EXPECT_EQ(list.shown().leaves, bright);
         EXPECT_LE(list.shown().s0, list.all().s0 * (1.0 + 1e-12));
     }
 }

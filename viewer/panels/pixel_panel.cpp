@@ -71,6 +71,7 @@ void draw_convention_choice(Convention& convention) {
 }
 
 void draw_matrix(const PixelSheet& sheet) {
+    constexpr int digits = 5;  // what fits into a panel of 400 points
     const CoherenceMatrix<double>& j = sheet.matrix;
     const auto& rows = sheet.groups.front().rows;
     const std::string xy = exact_text(j.xy);
@@ -84,15 +85,17 @@ void draw_matrix(const PixelSheet& sheet) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("x");
     ImGui::TableNextColumn();
-    copyable("xx", rows[0].exact.empty() ? rows[0].value : short_number(j.xx, 7), rows[0].exact, "J_xx = <E_x E_x*>");
+    copyable("xx", rows[0].exact.empty() ? rows[0].value : short_number(j.xx, digits), rows[0].exact,
+             "J_xx = <E_x E_x*>");
     ImGui::TableNextColumn();
-    copyable("xy", complex_text(j.xy), good ? xy : "", "J_xy = <E_x E_y*>");
+    copyable("xy", complex_text(j.xy, digits), good ? xy : "", "J_xy = <E_x E_y*>");
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("y");
     ImGui::TableNextColumn();
-    copyable("yx", complex_text(conj(j.xy)), good ? yx : "", "J_yx, the conjugate of J_xy");
+    copyable("yx", complex_text(conj(j.xy), digits), good ? yx : "", "J_yx, the conjugate of J_xy");
     ImGui::TableNextColumn();
-    copyable("yy", rows[3].exact.empty() ? rows[3].value : short_number(j.yy, 7), rows[3].exact, "J_yy = <E_y E_y*>");
+    copyable("yy", rows[3].exact.empty() ? rows[3].value : short_number(j.yy, digits), rows[3].exact,
+             "J_yy = <E_y E_y*>");
     ImGui::EndTable();
 }
 
