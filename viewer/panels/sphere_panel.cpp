@@ -240,7 +240,8 @@ void SpherePanel::draw_points(const Session& session, const DVec2& center, doubl
         before = &p;
         const bool is_dimmed = has_marks && p.pixel && !marked[picture.pixel(p.pixel->x, p.pixel->y)];
         const int alpha = is_dimmed ? 30 : seen.z >= 0.0 ? 255 : 90;
-        const Rgb color = scale_color(ColorScale::sequential, p.intensity / brightest);
+        // The dark end of the scale would not be seen on the dark ground.
+        const Rgb color = scale_color(ColorScale::sequential, 0.3 + 0.7 * p.intensity / brightest);
         const bool is_many = source_ == Source::region;
         draw_marker(list, at, is_many ? 0 : p.wavelength, is_many ? 1.8F : 3.5F, ink(encode(color), alpha));
         const bool is_selected =
