@@ -108,7 +108,9 @@ std::optional<FieldFigure> field_figure(const RayTreeNode& node, const SpaceLine
     if (!(s.s0 > 0.0)) return std::nullopt;
 
     FieldFigure figure;
-    figure.center = 0.5 * (line.a + line.b);
+    // A camera may be far away from what it looks at.
+    const double length = glm::length(line.a - line.b);
+    figure.center = line.b + (line.a - line.b) * (length > 6.0 * radius ? 3.0 * radius / length : 0.5);
     figure.x = radius * wave.field[0];
     if (!is_mode) figure.y = radius * wave.field[1];
 

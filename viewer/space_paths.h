@@ -49,8 +49,8 @@ struct FieldFigure {
     std::vector<DVec3> tips;  ///< in the order of time, closed; empty for unpolarized light
 };
 
-/// In the branch's own field frame, in the middle of its line, at most `radius` large: sqrt(degree of polarization) of
-/// it. Empty if the light is not known (random tail) or if there is none.
+/// In the branch's own field frame, in the middle of its line or three radii before its end, at most `radius` large:
+/// sqrt(degree of polarization) of it. Empty if the light is not known (random tail) or if there is none.
 std::optional<FieldFigure> field_figure(const RayTreeNode& node, const SpaceLine& line, double radius);
 
 }  // namespace pol
