@@ -22,7 +22,7 @@ struct Histogram {
 /// Counts the defined values of the rows that are known. Requires: range.low < range.high, bins > 0.
 Histogram histogram_of(const ShownMap& map, const MapRange& range, std::size_t bins);
 
-/// Pixels with a defined value in [range.low, range.high].
+/// Pixels with a defined value in [range.low, range.high], give or take the rounding of 32-bit floats.
 std::vector<bool> pixels_in(const ShownMap& map, const MapRange& range);
 
 /// Pixels of one state.

@@ -81,7 +81,7 @@ void draw_presets(Bench& bench) {
         bench.elements.push_back({BenchElementKind::retarder, true, 0.0, quarter_wave});
     tooltip("Ideal retarder: delays the field across its fast axis.");
     ImGui::SameLine();
-    if (ImGui::SmallButton("analyzer...")) ImGui::OpenPopup("analyzers");
+    if (ImGui::SmallButton("analyzer")) ImGui::OpenPopup("analyzers");
     tooltip("Replaces the train by the analyzer of one of the six standard states.");
     if (!ImGui::BeginPopup("analyzers")) return;
     for (const NamedAnalyzer& analyzer : standard_analyzers()) {
