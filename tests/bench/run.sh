@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How fast is it here? Builds the release preset, runs every Google Benchmark program (medians of 5) and times whole renders.
+# How fast is it here? Builds the release preset, runs every Google Benchmark program (medians of 5), times whole renders and the
+# window.
 # Asserts nothing: a shared machine is not a stopwatch. Compare only figures of one run.
 # Usage: tests/bench/run.sh [FILTER]     FILTER: a regular expression on benchmark names; with it no renders are timed
 set -euo pipefail
@@ -20,4 +21,6 @@ for bench in ${benches[@]+"${benches[@]}"}; do
     "$program" --benchmark_filter="${1-.}" --benchmark_repetitions=5 --benchmark_report_aggregates_only=true 2>/dev/null |
         grep -E '^(Benchmark|-)|_median' || say "(nothing matches)"
 done
-[ $# -gt 0 ] || exec python3 "$root/tests/bench/time_renders.py" "$root/build/release/polariscope" "$root/assets/scenes/bench"
+[ $# -gt 0 ] && exit
+python3 "$root/tests/bench/time_renders.py" "$root/build/release/polariscope" "$root/assets/scenes/bench"
+exec python3 "$root/tests/bench/time_window.py" "$root/build/release/polariscope"

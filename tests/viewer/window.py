@@ -50,7 +50,8 @@ class Window:
         self.display = display
         self.probe = Path(tempfile.mkdtemp(prefix="polariscope-probe-"))
         self.process = subprocess.Popen(
-            [str(program), "view", "--probe", str(self.probe), *map(str, arguments)], env=display.environment,
+            [str(program), "view", "--probe", str(self.probe), *map(str, arguments)],
+            env=display.environment | {"XDG_CONFIG_HOME": str(self.probe)},  # remembers nothing of other runs
             cwd=folder or self.probe, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.output = None
         self.state = {}
