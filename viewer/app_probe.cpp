@@ -38,6 +38,7 @@ void AppProbe::end(const Session& session, const ViewRect& viewport) {
     report["scale"] = session.transform.scale;
     report["offset"] = {session.transform.offset.x, session.transform.offset.y};
     report["map"] = std::string(info(session.view.quantity).name);
+    if (session.selection.node) report["node"] = *session.selection.node;
     report["documents"] = session.documents().size();
     if (const Document* document = session.current()) {
         report["document"] = document->path().string();

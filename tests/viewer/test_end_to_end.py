@@ -90,6 +90,10 @@ class EndToEnd(unittest.TestCase):
 
         window.click_pixel(*PIXEL)
         self.assert_on_screen(window, self.explained())
+        window.click("tab Paths")
+        window.wait_for(lambda w: "branch 1" in w.state["widgets"], "the tree of the pixel")
+        window.click("branch 1")
+        self.assertEqual(window.state["node"], 1)
         window.key("Escape", "f")
         self.assertAlmostEqual(window.state["scale"], before, places=6)
 
