@@ -150,7 +150,7 @@ int run(const StiffRequest& request) {
     if (!request.folder.empty()) {
         const auto written = write_folder(request.folder, results);
         if (!written) return report(written.error());
-        fmt::print(stderr, "wrote {}\n", (fs::path(request.folder) / "stiff.html").string());
+        if (!request.json) fmt::print("wrote {}\n", (fs::path(request.folder) / "stiff.html").string());
     }
     const bool sound = std::all_of(results.begin(), results.end(), [](const StiffResult& r) { return r.sound; });
     return sound ? 0 : 1;

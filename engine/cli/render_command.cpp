@@ -9,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "cli/progress_line.h"
@@ -77,6 +78,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         outcome.seconds += progress.seconds;
         outcome.reports.insert(outcome.reports.end(), progress.reports.begin(), progress.reports.end());
         if (progress.reason == StopReason::cancelled) outcome.signal = static_cast<int>(caught_signal);
+        if (progress.reason == StopReason::memory) throw std::bad_alloc();  // program.cpp ends with its message
         if (progress.reason != StopReason::truncation) return outcome;
 
         const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *request.error);

@@ -37,6 +37,8 @@ std::string stop_text(const RenderOutcome& outcome) {
             return "truncation";
         case StopReason::cancelled:
             return "signal";
+        case StopReason::memory:
+            return "memory";
         case StopReason::none:
         case StopReason::samples:
             break;
@@ -178,6 +180,7 @@ std::string shortfall(const RenderRequest& request, const RenderOutcome& outcome
                                *request.error);
         case StopReason::none:
         case StopReason::error:
+        case StopReason::memory:
             break;
     }
     return {};

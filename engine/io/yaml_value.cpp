@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/yaml_value.h"
 
+#include <yaml-cpp/anchor.h>
+#include <yaml-cpp/eventhandler.h>
+
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <system_error>
 
 #include "core/nearest_word.h"
@@ -262,22 +266,68 @@ std::optional<YamlValue> YamlMap::find(const std::string& key) const {
     return found->second;
 }
 
+namespace {
+
+/// Notes where the content of a document begins and ignores the rest.
+class ContentMark : public YAML::EventHandler {
+public:
+    std::optional<YAML::Mark> mark;
+    void OnDocumentStart(const YAML::Mark& /*at*/) override {}
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark& at, YAML::anchor_t /*anchor*/) override { note(at); }
+    void OnAlias(const YAML::Mark& at, YAML::anchor_t /*anchor*/) override { note(at); }
+    void OnScalar(const YAML::Mark& at, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  const std::string& /*value*/) override {
+        note(at);
+    }
+    void OnSequenceStart(const YAML::Mark& at, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                         YAML::EmitterStyle::value /*style*/) override {
+        note(at);
+    }
+    void OnSequenceEnd() override {}
+    void OnMapStart(const YAML::Mark& at, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                    YAML::EmitterStyle::value /*style*/) override {
+        note(at);
+    }
+    void OnMapEnd() override {}
+
+private:
+    void note(const YAML::Mark& at) {
+        if (!mark) mark = at;
+    }
+};
+
+/// Where a second document begins in `text`, if there is one. YAML::LoadAll would do, but never ends where a document
+/// begins with a character that begins nothing (a comma): such a document is found again and again.
+std::optional<YAML::Mark> second_document(const std::string& text) {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    ContentMark first;
+    ContentMark second;
+    if (!parser.HandleNextDocument(first) || !parser.HandleNextDocument(second)) return std::nullopt;
+    return second.mark;
+}
+
+}  // namespace
+
 YamlValue yaml_document(const std::string& text, const YamlFile& file) {
-    std::vector<YAML::Node> documents;
+    YAML::Node document;
+    std::optional<YAML::Mark> second;
     try {
-        documents = YAML::LoadAll(text);
+        document = YAML::Load(text);
+        second = second_document(text);
     } catch (const YAML::Exception& error) {
         complain(place_of(error.mark, file), "", "not valid YAML: " + error.msg,
                  "look at brackets, quotes and indentation in this line and the one before");
     }
-    if (documents.empty() || documents[0].IsNull()) {
+    if (document.IsNull()) {
         complain({file.name, 1, 1}, "", "the file is empty", "assets/scenes/README.md shows what belongs in it");
     }
-    if (documents.size() > 1) {
-        complain(place_of(documents[1].Mark(), file), "", "a second YAML document begins here",
+    if (second) {
+        complain(place_of(*second, file), "", "a second YAML document begins here",
                  "remove the '---' line; one file holds one document");
     }
-    return {documents[0], file, ""};
+    return {document, file, ""};
 }
 
 std::string one_of(const std::vector<std::string_view>& words) {

@@ -120,7 +120,7 @@ void RenderJob::stop(StopReason reason) {
     if (reason_ != StopReason::none) return;
     reason_ = reason;
     queue_.clear();
-    if (reason == StopReason::cancelled || reason == StopReason::time) cancelled = true;
+    if (reason == StopReason::cancelled || reason == StopReason::time || reason == StopReason::memory) cancelled = true;
 }
 
 void RenderJob::look(Clock::time_point now) {

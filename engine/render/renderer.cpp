@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <utility>
 
 #include "core/contract.h"
@@ -157,11 +158,17 @@ void Renderer::work(const std::stop_token& shutdown) {
     while (!shutdown.stop_requested()) {
         const Work work = next(shutdown);
         if (!work.job) return;
-        if (plan != work.job->plan) {
-            tracer = make_pass_tracer(*work.job->plan);
-            plan = work.job->plan;
+        try {
+            if (plan != work.job->plan) {
+                tracer = make_pass_tracer(*work.job->plan);
+                plan = work.job->plan;
+            }
+            render(*tracer, work);
+        } catch (const std::bad_alloc&) {
+            const std::scoped_lock lock(mutex_);
+            work.job->drop(work.task);
+            work.job->stop(StopReason::memory);
         }
-        render(*tracer, work);
         changed_.notify_all();
         if (wake_) wake_();
     }

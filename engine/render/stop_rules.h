@@ -27,6 +27,7 @@ enum class StopReason {
     error,       ///< StopRules::error is reached
     truncation,  ///< no number of samples will reach StopRules::error: a plan with finer_residual() may
     cancelled,
+    memory,  ///< there is none left for what a pass brings
 };
 
 enum class ErrorPart { truncation, sampling };

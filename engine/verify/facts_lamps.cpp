@@ -16,11 +16,8 @@ const Tolerance one_surface = rounding(60.0, "one surface of a crystal");
 /// With the optic axis across the plane of incidence, s is the e wave of index n_e and p the o wave of index n_o, as in
 /// two isotropic media. Between the two critical angles of a positive crystal p is reflected totally and s is not.
 Fact between_two_critical_angles() {
-    Fact fact{
-        "T54",
-        "Between the critical angles of a positive crystal o is reflected totally and e is not, with the phase of "
-        "Fresnel's formulas.",
-        "physics.md 2.5 with the axis across the plane of incidence; Born & Wolf 1.5.2"};
+    Fact fact{"T54", "Between the critical angles of a positive crystal o is reflected totally, e is not.",
+              "physics.md 2.5 with the axis across the plane of incidence; Born & Wolf 1.5.2"};
     const double n1 = 1.7;
     const double n_small = 1.5;
     const double n_large = 1.65;
@@ -67,11 +64,8 @@ std::string camera_above() {
 }
 
 Fact virtual_plate() {
-    Fact fact{
-        "T56",
-        "A lamp behind a plate that passes one ray of a crystal shows half its light, polarized along the axis by "
-        "e and across it by o.",
-        "Debelov & Kozlov, section 5.3; E of e lies in the plane of the axis"};
+    Fact fact{"T56", "A plate that passes one ray of a crystal halves the light: e along the axis, o across it.",
+              "Debelov & Kozlov, section 5.3; E of e lies in the plane of the axis"};
     for (const auto& [ray, sign] : {std::pair{"e", 1.0}, std::pair{"o", -1.0}}) {
         const std::size_t view = add_view(
             fact, std::string("plate passes ") + ray,

@@ -111,7 +111,7 @@ class BadScenes(ProgramTest):
         self.assertIn("check that you may read it", done.stderr)
 
     def test_binary_and_endless_nesting_are_no_scenes(self):
-        for content in (b"\x7fELF\x02\x01\x01\0\0\0", b"[" * 100_000, b"{a: " * 50_000, os.urandom(1000), b"\xff\xfe\0"):
+        for content in (b"\x7fELF\x02\x01\x01\0\0\0", b"[" * 100_000, b"{a: " * 50_000, os.urandom(1000), b"\xff\xfe\0", b",b"):
             with self.subTest(content[:8]):
                 self.write("scene.yaml", content)
                 self.refuse(3, ["scene.yaml:"], "render", "scene.yaml", "-o", "out.exr")

@@ -92,12 +92,12 @@ void expect_an_honest_stop(Scene scene, double target, int reference_samples) {
 }
 
 TEST(ErrorStop, GlassIsAsGoodAsItSays) {
-    expect_an_honest_stop(small("paper-glass-polarized", 48, 1000), 0.1, 512);
+    expect_an_honest_stop(small("paper-glass-polarized", 48, 1000), 0.1, 1024);
 }
 
 // Every ray splits in calcite, and one random path stands for most branches: noise of another kind than that of edges.
 TEST(ErrorStop, CalciteIsAsGoodAsItSays) {
-    expect_an_honest_stop(small("paper-calcite-unpolarized", 32, 20), 0.2, 512);
+    expect_an_honest_stop(small("paper-calcite-unpolarized", 32, 20), 0.2, 1024);
 }
 
 TEST(ErrorStop, APictureThatIsStoppedIsTheOneWithAsManySamples) {

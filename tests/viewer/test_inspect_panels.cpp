@@ -36,6 +36,7 @@ protected:
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has: large lists
         io.DisplaySize = {400.0F, 2000.0F};
         unsigned char* pixels = nullptr;
         int width = 0;

@@ -69,11 +69,15 @@ public:
     explicit Monkey(std::uint64_t seed) : random_(seed), session_([] {}) {
         folder_ = fs::temp_directory_path() / ("polariscope-soak-" + std::to_string(::getpid()));
         fs::create_directories(folder_);
+        // The welcome page offers the shipped scenes, and whoever does anything also saves over them.
+        fs::copy(POL_ASSETS, folder_ / "assets", fs::copy_options::recursive);
+        ::setenv("POLARISCOPE_ASSETS", (folder_ / "assets").c_str(), 1);
         fs::current_path(folder_);
         write_scene(cube);
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has: large lists
         io.DisplaySize = {1280.0F, 800.0F};
         io.DeltaTime = 1.0F / 60.0F;
         for (const auto& [key, place] : {std::pair{ImGuiKey_Enter, 0},
@@ -225,7 +229,7 @@ private:
     }
     void open() {
         for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
-            if (entry.path() != scene_ && uniform(0, 1) < 0.7) fs::remove(entry.path());
+            if (entry.is_regular_file() && entry.path() != scene_ && uniform(0, 1) < 0.7) fs::remove(entry.path());
         while (session_.documents().size() > 2) session_.close_document();
         session_.open(scene_);
         frame();

@@ -21,6 +21,7 @@ public:
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has: large lists
         io.DisplaySize = {width, height};
         io.DeltaTime = 1.0F / 60.0F;
         io.MousePos = {-1.0F, -1.0F};

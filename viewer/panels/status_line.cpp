@@ -37,6 +37,8 @@ const char* why_it_ended(StopReason reason) {
             return "stopped: needs a smaller residual";
         case StopReason::cancelled:
             return "cancelled";
+        case StopReason::memory:
+            return "stopped: out of memory, choose a smaller picture";
         default:
             return "finished";
     }
@@ -46,7 +48,8 @@ void draw_progress(const Document& document, const RenderProgress& progress, con
     if (document.paused()) {
         entry("progress", color.warning, fmt::format("paused at {:.0f} %", 100.0 * progress.done), "Space goes on.");
     } else if (progress.finished) {
-        const bool well = progress.reason != StopReason::truncation && progress.reason != StopReason::cancelled;
+        const bool well = progress.reason != StopReason::truncation && progress.reason != StopReason::cancelled &&
+                          progress.reason != StopReason::memory;
         entry("progress", well ? color.good : color.warning,
               fmt::format("{} in {}", why_it_ended(progress.reason), duration_text(progress.seconds)),
               "By the first of the rules: samples asked for, time, error.");
