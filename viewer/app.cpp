@@ -15,6 +15,7 @@
 #include "viewer/frame_pacer.h"
 #include "viewer/interface.h"
 #include "viewer/picture_renderer.h"
+#include "viewer/preferences.h"
 
 namespace pol {
 
@@ -157,6 +158,12 @@ Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppO
     auto library = WindowLibrary::start();
     if (!library) return library.error();
     Session session([&library] { library.value()->wake(); });
+    // A run that is watched by a test starts and leaves things as they are.
+    const std::filesystem::path remembered = options.probe.empty() ? preferences_path() : std::filesystem::path();
+    if (const auto preferences = read_preferences(remembered))
+        apply(preferences.value(), session);
+    else
+        session.log.add(Severity::warning, to_string(preferences.error()));
     session.window.theme = options.theme.value_or(session.window.theme);
     session.window.ui_scale = options.ui_scale.value_or(session.window.ui_scale);
     if (const auto opened = open_all(session, files); !opened) return opened.error();
@@ -167,6 +174,7 @@ Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppO
     std::optional<AppProbe> probe;
     if (!options.probe.empty()) probe.emplace(options.probe);
     EventLoop(*library.value(), *window.value(), session, *picture.value(), probe ? &*probe : nullptr).run(signals);
+    if (!remembered.empty()) return write_preferences(preferences_of(session), remembered);
     return Done{};
 }
 

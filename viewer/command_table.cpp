@@ -5,6 +5,7 @@
 
 #include "viewer/command_actions.h"
 #include "viewer/commands.h"
+#include "viewer/exports.h"
 #include "viewer/map_look.h"
 
 namespace pol {
@@ -41,6 +42,17 @@ constexpr std::array command_table{
             ctrl(letter('R'))},
     Command{"File", "Save scene", ctrl_shift(letter('S')), "Writes the edited scene as YAML.",
             [](Session& s) { save_scene(s); }, is_rendering},
+    Command{"File", "Save snapshot (EXR)", ctrl(letter('S')),
+            "Writes all wavelengths of what is there now, without stopping the render.", export_snapshot, is_open},
+    Command{"File", "Save map (PNG)", ctrl(letter('E')),
+            "Writes the map on screen with color bar and legend, in its range, style and behind the bench.", export_map,
+            is_open},
+    Command{"File",
+            "Save pixels (CSV)",
+            {},
+            "Writes the marked pixels, or all, at all wavelengths as a table.",
+            export_region,
+            is_open},
     Command{"File", "Close document", ctrl(letter('W')),
             "Closes the file on screen; asks first if its edits are not saved.",
             [](Session& s) { s.window.close_asked = true; }, is_open},
@@ -73,6 +85,12 @@ constexpr std::array command_table{
             true},
     Command{"Edit", "Redo", ctrl_shift(letter('Z')), "Makes the edit again.", [](Session& s) { s.redo(); }, can_redo,
             ctrl(letter('Y')), true},
+    Command{"Edit",
+            "Isotropic twin",
+            {letter('I')},
+            "The same scene with every crystal replaced by a glass of its mean permittivity, beside this one.",
+            [](Session& s) { s.open_isotropic_twin(); },
+            is_rendering},
 
     map_command<Quantity::color>({letter('1')}, "Color", "The picture as the eye sees it."),
     map_command<Quantity::intensity>({letter('2')}, "Intensity", "S0 at one wavelength."),

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <limits>
 
 #include "core/contract.h"
 #include "io/exr_file.h"
@@ -85,12 +87,23 @@ Result<Done> Document::render(const Scene& scene) {
     auto plan = compile(scene);
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();
-    renderer_->start(plan_);
-    samples_seen_ = 0;
-    show(std::make_shared<StokesImage>(renderer_->snapshot()));
+    start();
+    return Done{};
+}
+
+void Document::start() {
+    renderer_->start(plan_, {Watch::live, stop_rules_});
     paused_ = false;
     if (resting_) renderer_->pause();
-    return Done{};
+    tiles_seen_.assign(static_cast<std::size_t>(renderer_->film().tile_count()), 0);
+    next_tile_ = 0;
+    film_seen_ = 0;
+    show(std::make_shared<StokesImage>(renderer_->snapshot()));
+}
+
+void Document::set_stop_rules(const StopRules& rules) {
+    stop_rules_ = rules;
+    if (renderer_) start();
 }
 
 void Document::show(std::shared_ptr<StokesImage> picture) {
@@ -107,13 +120,59 @@ std::vector<TileRect> Document::take_changes() {
     return std::exchange(changes_, {});
 }
 
-void Document::update(double /*seconds*/) {
+void Document::update(double seconds) {
+    using Clock = std::chrono::steady_clock;
     if (!renderer_ || lent_->load(std::memory_order_acquire) > 0) return;
-    const std::uint64_t samples = renderer_->progress().statistics.samples;
-    if (samples == samples_seen_) return;
-    samples_seen_ = samples;
-    *picture_ = renderer_->snapshot();
-    changes_ = {whole(*picture_)};
+    const Film& film = renderer_->film();
+    const Version newest = film.version();
+    if (newest == film_seen_) return;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    for (std::size_t looked_at = 0; looked_at < tiles_seen_.size(); ++looked_at) {
+        const std::size_t index = next_tile_;
+        next_tile_ = (next_tile_ + 1) % tiles_seen_.size();
+        const auto tile = film.tile_if_newer(static_cast<int>(index), tiles_seen_[index]);
+        if (!tile) continue;
+        paste(*tile);
+        if (Clock::now() > end) return;
+    }
+    film_seen_ = newest;
+}
+
+void Document::paste(const TileSnapshot& tile) {
+    const StokesImage& from = tile.image;
+    StokesImage& to = *picture_;
+    const std::size_t from_pixels = from.pixel_count();
+    const std::size_t to_pixels = to.pixel_count();
+    const auto width = static_cast<std::size_t>(from.width);
+    // A plane set that no tile had so far is that of a picture without it.
+    const auto planes = [&](const auto& source, auto& target, const auto& nothing) {
+        if (source.empty()) return;
+        const std::size_t count = source.size() / from_pixels;
+        if (target.empty()) target.assign(count * to_pixels, nothing);
+        for (std::size_t plane = 0; plane < count; ++plane) {
+            for (int y = 0; y < from.height; ++y) {
+                const auto line = source.begin() + static_cast<std::ptrdiff_t>(plane * from_pixels + from.pixel(0, y));
+                std::copy_n(line, width,
+                            target.begin() + static_cast<std::ptrdiff_t>(plane * to_pixels +
+                                                                         to.pixel(tile.rect.x0, tile.rect.y0 + y)));
+            }
+        }
+    };
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    planes(from.stokes, to.stokes, Stokes<double>{});
+    planes(from.residual, to.residual, 1.0);
+    planes(from.samples, to.samples, 0U);
+    planes(from.failures, to.failures, 0U);
+    planes(from.tail, to.tail, 0.0);
+    planes(from.sampling_error, to.sampling_error, Stokes<double>{unknown, unknown, unknown, unknown});
+    // A preview had a tail where the samples have none.
+    if (from.tail.empty() && !to.tail.empty()) {
+        const std::vector<double> none(from_pixels * (to.tail.size() / to_pixels), 0.0);
+        planes(none, to.tail, 0.0);
+    }
+    changes_.push_back(tile.rect);
+    constexpr std::size_t many = 4096;  // nobody takes the changes of a document that is not on screen
+    if (changes_.size() > many) changes_ = {whole(to)};
     ++version_;
 }
 

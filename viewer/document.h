@@ -54,7 +54,7 @@ public:
     /// Parts that changed since the last call, for whoever keeps a copy (the textures).
     std::vector<TileRect> take_changes();
 
-    /// Fetches what the workers have finished, for at most `seconds`.
+    /// Fetches tiles that the workers have finished, for about `seconds`; each in its turn, so that none starves.
     void update(double seconds);
 
     /// The picture for another thread. While it is lent, update() leaves it as it is; edits do not wait.
@@ -65,6 +65,9 @@ public:
     void set_paused(bool paused);
     /// A document that is not on screen rests, whether or not the user has paused it.
     void set_resting(bool resting);
+    /// When the render ends before all its samples are there. Setting them starts it over.
+    [[nodiscard]] const StopRules& stop_rules() const { return stop_rules_; }
+    void set_stop_rules(const StopRules& rules);
 
     // Edits -----------------------------------------------------------------------------------------------------------
 
@@ -83,6 +86,8 @@ public:
     };
     /// The last edit, if it was refused.
     [[nodiscard]] const std::optional<Refusal>& refused() const { return refused_; }
+    /// Something that was typed is not even a scene.
+    void refuse(std::string label, Error error) { refused_ = Refusal{std::move(label), std::move(error)}; }
 
     // The file --------------------------------------------------------------------------------------------------------
 
@@ -102,6 +107,8 @@ public:
 private:
     Document() = default;
     Result<Done> render(const Scene& scene);
+    void start();
+    void paste(const TileSnapshot& tile);
     void show(std::shared_ptr<StokesImage> picture);
     void watch_files();
 
@@ -119,7 +126,10 @@ private:
     std::vector<TileRect> changes_;
     std::uint64_t version_ = 0;
     std::uint64_t layout_ = 0;
-    std::uint64_t samples_seen_ = 0;
+    StopRules stop_rules_;
+    std::vector<Version> tiles_seen_;  // by tile of the film
+    std::size_t next_tile_ = 0;        // the round of update() goes on here
+    Version film_seen_ = 0;            // all tiles are at least of this version
     bool paused_ = false;
     bool resting_ = false;
 };

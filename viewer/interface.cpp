@@ -12,6 +12,7 @@
 #include "viewer/panels/bench_panel.h"
 #include "viewer/panels/help_sheet.h"
 #include "viewer/panels/menu_bar.h"
+#include "viewer/panels/problem_banner.h"
 #include "viewer/panels/status_line.h"
 #include "viewer/panels/unsaved_dialog.h"
 #include "viewer/panels/view_controls.h"
@@ -121,6 +122,7 @@ void Interface::draw_tabs(Session& session, Frame& /*frame*/, Stack stack) {
     const bool upper = stack != Stack::lower;
     const bool lower = stack != Stack::upper;
     tab(upper, "Pixel", [&] { pixel_.draw(session); });
+    tab(upper, "Scene", [&] { scene_.draw(session); });
     tab(lower, "Paths", [&] { paths_.draw(session); });
     tab(lower, "Table", [&] { rays_.draw(session); });
     tab(lower, "3-D", [&] { space_.draw(session); });
@@ -179,6 +181,7 @@ void Interface::draw(Session& session, Frame& frame) {
         if (right_moved != 0.0F) state.layout.right_width = (widths.right - right_moved) / frame.ui_scale;
     }
     if (frame.viewport.size.x > 0.0) session.view_size = frame.viewport.size;
+    draw_problem_banner(session, frame);
     draw_sheets(session);
     if (!state.to_clipboard.empty()) ImGui::SetClipboardText(std::exchange(state.to_clipboard, {}).c_str());
 }

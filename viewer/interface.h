@@ -14,6 +14,7 @@
 #include "viewer/panels/picture_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
+#include "viewer/panels/scene_panel.h"
 #include "viewer/panels/space_panel.h"
 #include "viewer/panels/sphere_panel.h"
 #include "viewer/panels/welcome.h"
@@ -45,6 +46,7 @@ private:
     RayTablePanel rays_;
     SpacePanel space_;
     SpherePanel sphere_;
+    ScenePanel scene_;
     Welcome welcome_;
     LogPanel log_;
     CommandPalette palette_;

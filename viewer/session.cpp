@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include "viewer/twins.h"
 
 namespace pol {
 
@@ -15,11 +16,33 @@ constexpr double evaluate_finished_s = 0.010;
 }  // namespace
 
 bool Session::open(const std::filesystem::path& path) {
-    return adopt(Document::open(path, wake_));
+    if (!adopt(Document::open(path, wake_))) return false;
+    constexpr std::size_t remembered = 12;
+    const std::filesystem::path opened = current()->path();
+    std::erase(recent_files, opened);
+    recent_files.insert(recent_files.begin(), opened);
+    if (recent_files.size() > remembered) recent_files.resize(remembered);
+    return true;
 }
 
 bool Session::open_scene(Scene scene, const std::string& name) {
     return adopt(Document::make(std::move(scene), name, wake_));
+}
+
+bool Session::open_isotropic_twin() {
+    const Document* document = current();
+    if (document == nullptr || !document->has_scene()) return false;
+    auto twin = isotropic_twin(document->scene());
+    if (!twin) {
+        log.add(Severity::error, to_string(twin.error()));
+        return false;
+    }
+    const std::string name = twin_name(document->name(), "isotropic");
+    if (!open_scene(std::move(twin).value(), name)) return false;
+    log.add(Severity::note, name +
+                                ": every crystal is a glass of its mean permittivity, n\u00b2 = (2 n_o\u00b2 + "
+                                "n_e\u00b2)/3; Up and Down switch between the two");
+    return true;
 }
 
 bool Session::adopt(Result<std::unique_ptr<Document>> document) {

@@ -42,6 +42,9 @@ public:
     /// Shows the next (+1) or previous (-1) document.
     void step_document(int by);
 
+    /// The current scene with glass in place of its crystals (twins.h), as a document of its own.
+    bool open_isotropic_twin();
+
     /// Acts on the current document and puts an error into the log. True if it was done.
     bool undo();
     bool redo();
@@ -83,6 +86,7 @@ public:
     Log log;
     ExportQueue exports;
     WindowState window;
+    std::vector<std::filesystem::path> recent_files;  ///< newest first
     DVec2 view_size{1.0, 1.0};  ///< of the picture's viewport, logical points; set by the interface
 
 private:

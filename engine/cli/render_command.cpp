@@ -18,7 +18,7 @@
 #include "cli/scene_options.h"
 #include "io/exr_file.h"
 #include "io/output_file.h"
-#include "io/scene_hash.h"
+#include "io/picture_attributes.h"
 #include "plan/compile.h"
 #include "render/renderer.h"
 
@@ -93,12 +93,6 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
     }
 }
 
-std::string settings_text(const RenderSettings& s, const RenderProgress& progress) {
-    return fmt::format("mode={} spp={} residual={} depth={} node_budget={} seed={}",
-                       s.mode == SampleMode::area ? "area" : "point", samples_per_pixel(s, progress), s.residual,
-                       s.depth ? std::to_string(*s.depth) : "none", s.node_budget, s.seed);
-}
-
 /// An hour of work must not end at a missing folder: what speaks against the outputs is found out first.
 std::optional<Error> unusable_output(const RenderRequest& request) {
     if (auto problem = output_problem(request.output, ".exr", {request.scene.scene})) return problem;
@@ -156,9 +150,8 @@ int run(const RenderRequest& request) {
 
     const auto output_start = Clock::now();
     StokesImage image = renderer.snapshot();
-    image.attributes["scene"] = std::filesystem::path(request.scene.scene).filename().string();
-    image.attributes["scene_hash"] = scene_hash(scene);
-    image.attributes["settings"] = settings_text(plan->settings, outcome.value().progress);
+    image.attributes.merge(
+        picture_attributes(scene, samples_per_pixel(plan->settings, outcome.value().progress), request.scene.scene));
     if (auto written = write_exr(image, request.output); !written) return report(written.error());
     timing.output_s = seconds_since(output_start);
 

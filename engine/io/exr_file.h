@@ -10,6 +10,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "core/result.h"
 #include "film/stokes_image.h"
@@ -20,8 +21,9 @@ namespace pol {
 /// infinity are kept; the attributes frame, azimuthZero, timeSign and version are filled in if `image` does not set
 /// them. Requires: the plane sets of `image` have the sizes that StokesImage states. Error: kind output if the file
 /// cannot be written; kind usage if the picture has no pixel or no wavelength, or if two wavelengths get the same
-/// channel name (less than 1e-6 nm apart).
-Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& path);
+/// channel name (less than 1e-6 nm apart). `progress` hears from time to time which share of the lines is written.
+Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& path,
+                       const std::function<void(double)>& progress = {});
 
 /// Largest picture that read_exr takes into memory, counted as the doubles of StokesImage.
 inline constexpr double max_exr_bytes = 16.0 * 1024.0 * 1024.0 * 1024.0;

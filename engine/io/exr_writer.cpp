@@ -154,7 +154,8 @@ Imf::Header header_of(const StokesImage& image, const Channels& channels) {
 }
 
 /// Writes all lines, a band at a time, so that the floats never need a second picture in memory.
-void write_pixels(Imf::OutputFile& file, const StokesImage& image, const Channels& channels) {
+void write_pixels(Imf::OutputFile& file, const StokesImage& image, const Channels& channels,
+                  const std::function<void(double)>& progress) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t band_size = width * static_cast<std::size_t>(exr::band_height);
     std::vector<std::vector<float>> numbers(channels.numbers.size());
@@ -191,6 +192,7 @@ void write_pixels(Imf::OutputFile& file, const StokesImage& image, const Channel
         }
         file.setFrameBuffer(buffer);
         file.writePixels(lines);
+        if (progress) progress(static_cast<double>(top + lines) / image.height);
     }
 }
 
@@ -209,7 +211,8 @@ std::optional<Error> first_problem(const StokesImage& image) {
 
 }  // namespace
 
-Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& path) {
+Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& path,
+                       const std::function<void(double)>& progress) {
     if (const auto problem = first_problem(image)) return *problem;
     POL_EXPECTS(image.stokes.size() == image.pixel_count() * image.wavelengths_nm.size());
     POL_EXPECTS(image.brightest.empty() || image.brightest.size() == image.wavelengths_nm.size());
@@ -223,7 +226,7 @@ Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& pa
         const Channels channels = channels_of(image, preview);
         ExrStream stream(file, path.string());
         Imf::OutputFile exr(stream, header_of(image, channels));
-        write_pixels(exr, image, channels);
+        write_pixels(exr, image, channels, progress);
     } catch (const std::exception& exception) {
         complaint = exception.what();
     }

@@ -66,6 +66,11 @@ MapRange range_for(Quantity quantity, const MapOptions& options, double largest)
     return {about.low, largest > about.low ? largest : 1.0};
 }
 
+double developed(double light, const MapOptions& options) {
+    const double shifted = light + options.offset;
+    return options.gamma == 1.0 ? shifted : std::pow(std::max(shifted, 0.0), 1.0 / options.gamma);
+}
+
 Rgb8 state_color(PixelState state, int x, int y) {
     switch (state) {
         case PixelState::no_light:
@@ -93,7 +98,8 @@ Rgb8 faded(const Rgb& color, double weight) {
 ColoredMap colorize(const Map& map, const MapOptions& options) {
     POL_EXPECTS(map.quantity != Quantity::color);
     POL_EXPECTS(!options.range || options.range->low < options.range->high);
-    const ColorScale scale = scale_for(map.quantity, options.style);
+    const ColorScale scale = options.scale.value_or(scale_for(map.quantity, options.style));
+    const bool is_photograph = info(map.quantity).kind == ScaleKind::gray;
     ColoredMap colored;
     colored.quantity = map.quantity;
     colored.style = options.style;
@@ -126,7 +132,8 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
             if (t > 1.0 + rounding) ++colored.above;
             const double weight = is_paper ? 1.0 : pixel.weight;
             if (weight < 1.0) colored.fades = true;
-            colored.picture.pixels.push_back(faded(scale_color(scale, t), weight));
+            const double place = is_photograph ? developed(t, options) : t;
+            colored.picture.pixels.push_back(faded(scale_color(scale, place), weight));
         }
     }
     return colored;
@@ -147,7 +154,8 @@ ColoredMap colorize_picture(const StokesImage& image, const MapOptions& options)
         const PixelState state = is_number ? PixelState::defined : PixelState::not_a_number;
         colored.states.push_back(state);
         ++colored.state_count[static_cast<std::size_t>(state)];
-        colored.picture.pixels.push_back(is_number ? encode({gain * color[0], gain * color[1], gain * color[2]})
+        const auto shown = [&](double light) { return developed(gain * light, options); };
+        colored.picture.pixels.push_back(is_number ? encode({shown(color[0]), shown(color[1]), shown(color[2])})
                                                    : state_color(state, 0, 0));
     }
     return colored;

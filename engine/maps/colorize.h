@@ -29,9 +29,16 @@ struct MapRange {
 
 struct MapOptions {
     MapStyle style = MapStyle::scientific;
-    std::optional<MapRange> range;  ///< instead of the one of QuantityInfo; low < high
-    double exposure = 0.0;          ///< stops, color and intensity only: light is multiplied by 2^exposure
+    std::optional<MapRange> range;      ///< instead of the one of QuantityInfo; low < high
+    double exposure = 0.0;              ///< stops, color and intensity only: light is multiplied by 2^exposure
+    std::optional<ColorScale> scale{};  ///< instead of the one of the style; not for color
+    /// Color and intensity only, after exposure: place in the range becomes (place + offset)^(1/gamma).
+    double offset = 0.0;
+    double gamma = 1.0;
 };
+
+/// Offset and gamma of a photograph. `light` is already exposed; 1 is white.
+double developed(double light, const MapOptions& options);
 
 /// 8-bit sRGB, row 0 at the top.
 struct RgbPicture {
@@ -70,7 +77,7 @@ Rgb8 faded(const Rgb& color, double weight);
 /// Requires: map.quantity is not `color`.
 ColoredMap colorize(const Map& map, const MapOptions& options);
 
-/// The color picture of all wavelengths, or gray if there is one. Only `exposure` is used of the options.
+/// The color picture of all wavelengths, or gray if there is one. Only exposure, offset and gamma are used.
 ColoredMap colorize_picture(const StokesImage& image, const MapOptions& options);
 
 /// The map or picture of `quantity`; `wavelength` is of no meaning for color. Error as in evaluate.

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "io/exr_file.h"
+#include "io/input_file.h"
+#include "io/scene_hash.h"
+#include "viewer/exports.h"
+#include "viewer/viewer_files.h"
+
+namespace pol {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The program runs in a folder of its own.
+class Exports : public testing::Test {
+protected:
+    Exports() : home_(fs::current_path()) { fs::current_path(folder / "."); }
+    ~Exports() override { fs::current_path(home_); }
+
+    /// Updates the session as frames do until the exports have ended.
+    static void wait_for_exports(Session& session) {
+        while (!session.exports.idle()) {
+            session.update();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
+    static std::string text_of(const fs::path& path) { return read_input_file(path, 1U << 30U).value(); }
+
+    test::TemporaryFolder folder;
+
+private:
+    fs::path home_;
+};
+
+TEST_F(Exports, ASnapshotInMidRenderIsThePictureOnScreen) {
+    test::write_text("plate.yaml", test::plate_scene(256, 256));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    Document& document = *session.current();
+    while (document.progress().done == 0.0) std::this_thread::yield();
+    document.set_paused(true);
+    session.update();
+    const StokesImage before = document.picture();
+    ASSERT_GT(document.progress().done, 0.0);
+    ASSERT_LT(document.progress().done, 1.0) << "the render was too fast for this test";
+    export_snapshot(session);
+    wait_for_exports(session);
+
+    const auto read = read_exr("plate.exr");
+    ASSERT_TRUE(read);
+    const StokesImage& file = read.value();
+    EXPECT_EQ(file.samples, before.samples);
+    EXPECT_EQ(file.wavelengths_nm, before.wavelengths_nm);
+    EXPECT_EQ(file.attributes.at("scene_hash"), scene_hash(document.scene()));
+    EXPECT_EQ(file.attributes.at("scene"), "plate.yaml");
+    ASSERT_EQ(file.stokes.size(), before.stokes.size());
+    std::size_t traced = 0;
+    for (std::size_t i = 0; i < file.stokes.size(); ++i) {
+        const bool has_samples = before.samples[i % before.pixel_count()] > 0;
+        traced += has_samples ? 1 : 0;
+        const Stokes<double> expected = has_samples ? before.stokes[i] : Stokes<double>{};
+        ASSERT_EQ(file.stokes[i].s0, static_cast<double>(static_cast<float>(expected.s0)));
+        ASSERT_EQ(file.stokes[i].s1, static_cast<double>(static_cast<float>(expected.s1)));
+    }
+    EXPECT_GT(traced, 0U);
+    EXPECT_LT(traced, file.stokes.size());
+    // The render was not stopped by it.
+    document.set_paused(false);
+    test::finish(document);
+    EXPECT_EQ(document.picture().samples.back(), 1U);
+}
+
+TEST_F(Exports, NamesAreNeverUsedTwice) {
+    test::write_text("plate.yaml", test::plate_scene(8, 8));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    export_snapshot(session);
+    export_snapshot(session);
+    wait_for_exports(session);
+    export_snapshot(session);
+    wait_for_exports(session);
+    for (const char* name : {"plate.exr", "plate-2.exr", "plate-3.exr"}) EXPECT_TRUE(fs::exists(name)) << name;
+    fs::create_directory("out");
+    EXPECT_EQ(free_export_path(session, "plate", ".exr"), fs::path("out/plate.exr"));
+    ASSERT_EQ(session.log.lines().size(), 3U);
+    EXPECT_NE(session.log.lines()[0].text.find("plate.exr"), std::string::npos);
+}
+
+TEST_F(Exports, AFolderThatCannotBeWrittenIsReported) {
+    test::write_text("plate.yaml", test::plate_scene(8, 8));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    session.exports.start("EXR snapshot", "no/such/folder.exr",
+                          [](ExportProgress&) -> Result<Done> { return write_exr({}, "no/such/folder.exr"); });
+    wait_for_exports(session);
+    ASSERT_FALSE(session.log.lines().empty());
+    EXPECT_EQ(session.log.lines().back().severity, Severity::error);
+}
+
+// Behind a polarizer at 0 degrees everything is linear along x.
+TEST_F(Exports, TheMarkedPixelsAreListedAtAllWavelengthsBehindTheBench) {
+    test::write_text("plate.yaml", test::plate_scene(8, 4));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    test::finish(*session.current());
+    session.bench.elements.push_back({BenchElementKind::polarizer, true, 0.0, 0.0});
+    session.selection.marked.assign(32, false);
+    session.selection.marked[11] = session.selection.marked[20] = true;
+    export_region(session);
+    wait_for_exports(session);
+    std::istringstream lines(text_of("plate.csv"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line.rfind("x,y,wavelength_nm,S0,S1,S2,S3,dop", 0), 0U);
+    const StokesImage& picture = session.current()->picture();
+    for (const std::size_t pixel : {11U, 20U}) {
+        for (std::size_t w = 0; w < 2; ++w) {
+            ASSERT_TRUE(std::getline(lines, line));
+            std::replace(line.begin(), line.end(), ',', ' ');
+            std::istringstream fields(line);
+            double x{};
+            double y{};
+            double nm{};
+            double s0{};
+            double s1{};
+            double s2{};
+            double s3{};
+            double dop{};
+            fields >> x >> y >> nm >> s0 >> s1 >> s2 >> s3 >> dop;
+            EXPECT_EQ(picture.pixel(static_cast<int>(x), static_cast<int>(y)), pixel);
+            EXPECT_EQ(nm, picture.wavelengths_nm[w]);
+            const Stokes<double>& s = picture.at(w, pixel);
+            EXPECT_NEAR(s0, 0.5 * (s.s0 + s.s1), 1e-15);
+            EXPECT_NEAR(s1, s0, 1e-15);
+            EXPECT_NEAR(dop, 1.0, 1e-12);
+        }
+    }
+    EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST_F(Exports, EveryMapIsWrittenAsPng) {
+    test::write_text("plate.yaml", test::plate_scene(16, 8));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    test::finish(*session.current());
+    session.view.over_intensity = true;
+    for (const QuantityInfo& quantity : quantities()) {
+        session.show(quantity.quantity);
+        session.update();
+        export_map(session);
+    }
+    wait_for_exports(session);
+    for (const QuantityInfo& quantity : quantities()) {
+        const fs::path path = "plate-" + std::string(quantity.name) + ".png";
+        EXPECT_TRUE(fs::exists(path)) << path;
+    }
+    for (const LogLine& line : session.log.lines()) EXPECT_EQ(line.severity, Severity::note) << line.text;
+}
+
+}  // namespace
+}  // namespace pol

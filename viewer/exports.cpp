@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/exports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "core/units.h"
+#include "io/exr_file.h"
+#include "io/map_picture.h"
+#include "io/output_file.h"
+#include "io/picture_attributes.h"
+#include "io/png_file.h"
+#include "maps/color_picture.h"
+#include "polarization/measures.h"
+#include "viewer/map_look.h"
+#include "viewer/shown_picture.h"
+
+namespace pol {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string stem_of(const Document& document) {
+    return fs::path(document.name()).stem().string();
+}
+
+/// What only a preview says is not known.
+void forget_preview(StokesImage& image) {
+    const std::size_t pixels = image.pixel_count();
+    const auto fill = [&](auto& planes, std::size_t pixel, const auto& value) {
+        for (std::size_t i = pixel; i < planes.size(); i += pixels) planes[i] = value;
+    };
+    for (std::size_t pixel = 0; pixel < image.samples.size(); ++pixel) {
+        if (image.samples[pixel] > 0) continue;
+        fill(image.stokes, pixel, Stokes<double>{});
+        fill(image.residual, pixel, 1.0);
+        fill(image.tail, pixel, 0.0);
+    }
+}
+
+/// The picture behind the bench; of one wavelength if that is all that the map needs.
+StokesImage seen_behind(const StokesImage& picture, const Bench& bench, std::optional<std::size_t> wavelength) {
+    StokesImage seen;
+    seen.width = picture.width;
+    seen.height = picture.height;
+    const std::size_t pixels = picture.pixel_count();
+    const std::size_t first = wavelength.value_or(0);
+    const std::size_t last = wavelength ? first + 1 : picture.wavelengths_nm.size();
+    const auto part = [&](const auto& planes) {
+        if (planes.size() <= pixels) return planes;
+        return std::decay_t<decltype(planes)>(planes.begin() + static_cast<std::ptrdiff_t>(first * pixels),
+                                              planes.begin() + static_cast<std::ptrdiff_t>(last * pixels));
+    };
+    seen.stokes = part(picture.stokes);
+    seen.residual = part(picture.residual);
+    seen.tail = part(picture.tail);
+    for (std::size_t w = first; w < last; ++w) {
+        seen.wavelengths_nm.push_back(picture.wavelengths_nm[w]);
+        if (!picture.brightest.empty()) seen.brightest.push_back(picture.brightest[w]);
+    }
+    if (bench.empty()) return seen;
+    const MuellerMatrix<double> train = bench.mueller();
+    for (Stokes<double>& s : seen.stokes) s = train * s;
+    return seen;
+}
+
+/// The map's color times the picture's lightness, as the window shows it.
+void lay_over_intensity(RgbPicture& shown, const StokesImage& seen, const MapOptions& options) {
+    const std::vector<Rgb> colors = color_picture(seen);
+    const double gain = std::exp2(options.exposure);
+    for (std::size_t pixel = 0; pixel < colors.size(); ++pixel) {
+        const auto light = [&](std::size_t c) { return developed(gain * colors[pixel][c], options); };
+        const double luminance = 0.2126 * light(0) + 0.7152 * light(1) + 0.0722 * light(2);
+        const double lightness = srgb_encode(std::clamp(luminance, 0.0, 1.0));
+        for (std::uint8_t& channel : shown.pixels[pixel])
+            channel = static_cast<std::uint8_t>(std::lround(channel * lightness));
+    }
+}
+
+Result<Done> write_map(const StokesImage& picture, const ViewSettings& view, const MapOptions& options,
+                       const Bench& bench, const std::string& caption, const fs::path& path, ExportProgress& progress) {
+    const bool is_color = view.quantity == Quantity::color;
+    const bool needs_all = is_color || view.over_intensity;
+    const StokesImage seen = seen_behind(picture, bench, needs_all ? std::nullopt : std::optional(view.wavelength));
+    progress = 0.2;
+    auto map = draw_map(seen, view.quantity, needs_all ? view.wavelength : 0, options);
+    if (!map) return map.error();
+    if (view.over_intensity && !is_color) lay_over_intensity(map.value().picture, seen, options);
+    progress = 0.5;
+    const auto drawn = map_picture(map.value(), caption);
+    if (!drawn) return drawn.error();
+    progress = 0.8;
+    return write_png(drawn.value(), path);
+}
+
+/// One line per pixel and wavelength; a measure that is not defined is left empty.
+Result<Done> write_region(const StokesImage& picture, const std::vector<bool>& marked, const Bench& bench,
+                          const fs::path& path, ExportProgress& progress) {
+    auto file = OutputFile::create(path);
+    if (!file) return file.error();
+    std::string text = "x,y,wavelength_nm,S0,S1,S2,S3,dop,azimuth_deg,ellipticity_angle_deg,residual,tail,samples\n";
+    const ShownPicture shown(picture, bench);
+    const auto optional_number = [](bool defined, double value) { return defined ? fmt::to_string(value) : ""; };
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const std::size_t pixel = picture.pixel(x, y);
+            if (!marked.empty() && !marked[pixel]) continue;
+            for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w) {
+                const Stokes<double> s = shown.stokes(w, pixel);
+                const Measures<double> m = measure(s, noise_threshold(1000.0));
+                fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", x, y,
+                               picture.wavelengths_nm[w], s.s0, s.s1, s.s2, s.s3, optional_number(m.has_light, m.dop),
+                               optional_number(m.has_azimuth, degrees(m.azimuth)),
+                               optional_number(m.has_polarization, degrees(m.ellipticity_angle)),
+                               picture.plane_value(picture.residual, w, pixel),
+                               picture.plane_value(picture.tail, w, pixel),
+                               picture.samples.empty() ? "" : fmt::to_string(picture.samples[pixel]));
+            }
+        }
+        file.value()->write(text.data(), text.size());
+        text.clear();
+        progress = static_cast<double>(y + 1) / picture.height;
+    }
+    return file.value()->commit();
+}
+
+}  // namespace
+
+fs::path free_export_path(const Session& session, const std::string& stem, const std::string& ending) {
+    std::error_code ignored;
+    const fs::path folder = fs::is_directory("out", ignored) ? fs::path("out") : fs::path();
+    for (int number = 1;; ++number) {
+        const fs::path path = folder / (number == 1 ? stem + ending : fmt::format("{}-{}{}", stem, number, ending));
+        if (!fs::exists(path, ignored) && !session.exports.will_write(path)) return path;
+    }
+}
+
+void export_snapshot(Session& session) {
+    const Document* document = session.current();
+    if (document == nullptr) return;
+    const fs::path path = free_export_path(session, stem_of(*document), ".exr");
+    std::optional<Scene> scene;
+    if (document->has_scene()) scene = document->scene();
+    session.exports.start(
+        "EXR snapshot", path,
+        [lent = document->lend_picture(), scene = std::move(scene), name = document->name(),
+         path](ExportProgress& progress) mutable -> Result<Done> {
+            StokesImage image = *lent;
+            lent.reset();
+            if (scene) {
+                forget_preview(image);
+                image.attributes.merge(picture_attributes(*scene, scene->render.samples_per_pixel, name));
+            }
+            return write_exr(image, path, [&](double share) { progress = share; });
+        });
+}
+
+void export_map(Session& session) {
+    const Document* document = session.current();
+    if (document == nullptr) return;
+    const ViewSettings& view = session.view;
+    const std::string quantity(info(view.quantity).name);
+    const fs::path path = free_export_path(session, stem_of(*document) + "-" + quantity, ".png");
+    MapOptions options{view.style, std::nullopt, view.exposure, view.scale, view.offset, view.gamma};
+    if (view.quantity != Quantity::color) options.range = map_look(session).range;
+    session.exports.start(
+        "PNG of the map", path,
+        [lent = document->lend_picture(), view, options, bench = session.bench,
+         caption = document->name() + (session.bench.empty() ? "" : ", behind the bench"),
+         path](ExportProgress& progress) { return write_map(*lent, view, options, bench, caption, path, progress); });
+}
+
+void export_region(Session& session) {
+    const Document* document = session.current();
+    if (document == nullptr) return;
+    const fs::path path = free_export_path(session, stem_of(*document), ".csv");
+    session.exports.start(
+        "CSV of the pixels", path,
+        [lent = document->lend_picture(), marked = session.selection.marked, bench = session.bench,
+         path](ExportProgress& progress) { return write_region(*lent, marked, bench, path, progress); });
+}
+
+}  // namespace pol

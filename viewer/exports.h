@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What leaves the window as files. All of them are written in the background, under names that no file has yet; the
+// log says where they are.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "viewer/export_queue.h"
+#include "viewer/session.h"
+
+namespace pol {
+
+/// `stem.ending`, or `stem-2.ending` and so on: neither there nor about to be written. In the folder `out` of the
+/// current folder if there is one, else in the current folder. `ending` has its dot.
+std::filesystem::path free_export_path(const Session& session, const std::string& stem, const std::string& ending);
+
+/// Writes all wavelengths of what is there now as EXR, without stopping the render. What has no sample yet is black and
+/// wholly untraced in the file; a preview is no result. Nothing open: does nothing.
+void export_snapshot(Session& session);
+
+/// Writes the whole map on screen, at the picture's size, with color bar and legend as PNG: behind the bench, in the
+/// shown range, style and scale. Nothing open: does nothing.
+void export_map(Session& session);
+
+/// Writes the marked pixels, or all if none is marked, at all wavelengths as CSV, behind the bench. Nothing open: does
+/// nothing.
+void export_region(Session& session);
+
+}  // namespace pol

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "viewer/frame.h"
+#include "viewer/session.h"
+
+namespace pol {
+
+/// Over the picture's upper edge: why the file cannot be shown as it is now. Nothing while all is well.
+void draw_problem_banner(const Session& session, const Frame& frame);
+
+}  // namespace pol

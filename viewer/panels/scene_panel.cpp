@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/panels/scene_panel.h"
+
+#include <imgui.h>
+
+#include "viewer/command_actions.h"
+#include "viewer/panels/scene_sections.h"
+#include "viewer/widgets/theme.h"
+#include "viewer/widgets/widget_map.h"
+
+namespace pol {
+
+namespace {
+
+template <class Draw>
+void section(const char* name, const Draw& draw) {
+    const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
+    name_widget(std::string("section ") + name);
+    if (!open) return;
+    ImGui::PushID(name);
+    draw();
+    ImGui::PopID();
+    ImGui::Spacing();
+}
+
+bool button(const char* name, bool enabled, const std::string& hint) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(name);
+    ImGui::EndDisabled();
+    name_widget(std::string("button ") + name);
+    if (ImGui::IsItemHovered() && !hint.empty()) ImGui::SetTooltip("%s", hint.c_str());
+    return pressed;
+}
+
+void draw_file(Session& session, const Document& document) {
+    const EditHistory& history = document.history();
+    ImGui::TextWrapped("%s%s", document.name().c_str(), document.dirty() ? "  (edited)" : "");
+    if (button("Undo", history.can_undo(), history.can_undo() ? "Takes back: " + history.undo_label() : ""))
+        session.undo();
+    ImGui::SameLine();
+    if (button("Redo", history.can_redo(), history.can_redo() ? "Does again: " + history.redo_label() : ""))
+        session.redo();
+    ImGui::SameLine();
+    if (button("Reload", !document.path().empty(), "Reads the file again (F5).")) session.reload();
+    ImGui::SameLine();
+    if (button("Save", document.dirty(), "Writes the scene as YAML (Ctrl+Shift+S).")) action::save_scene(session);
+    if (const auto& problem = document.problem()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colors(session.window.theme).error);
+        ImGui::TextWrapped("%s", to_string(*problem).c_str());
+        ImGui::PopStyleColor();
+    }
+}
+
+/// What the plan needs, and what it leaves out with the reason.
+void draw_plan(const Plan& plan) {
+    ImGui::TextWrapped("kernel: %s", plan.features.kernel.c_str());
+    if (!ImGui::BeginTable("features", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
+    ImGui::TableSetupColumn("name");
+    ImGui::TableSetupColumn("reason", ImGuiTableColumnFlags_WidthStretch);
+    for (const Feature& feature : plan.features.list) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        if (feature.needed)
+            ImGui::TextUnformatted(feature.name.c_str());
+        else
+            ImGui::TextDisabled("no %s", feature.name.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextWrapped("%s", feature.reason.c_str());
+    }
+    ImGui::EndTable();
+}
+
+void draw_attributes(const Document& document) {
+    const StokesImage& picture = document.picture();
+    ImGui::TextWrapped("%s", document.path().string().c_str());
+    ImGui::Text("%d x %d pixels, %zu wavelength%s", picture.width, picture.height, picture.wavelengths_nm.size(),
+                picture.wavelengths_nm.size() == 1 ? "" : "s");
+    ImGui::TextWrapped("A picture from a file: paths, 3-D view and edits need its scene. Open the scene to have them.");
+    if (!ImGui::BeginTable("attributes", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
+    ImGui::TableSetupColumn("name");
+    ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
+    for (const auto& [name, text] : picture.attributes) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(name.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextWrapped("%s", text.c_str());
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void ScenePanel::draw(Session& session) {
+    Document* document = session.current();
+    if (document == nullptr) {
+        ImGui::TextDisabled("Nothing is open");
+        return;
+    }
+    if (!document->has_scene()) {
+        draw_attributes(*document);
+        return;
+    }
+    draw_file(session, *document);
+    EditForm form(*document, session.window.theme);
+    ImGui::PushItemWidth(0.5F * ImGui::GetContentRegionAvail().x);
+    section("Camera", [&] { draw_camera_section(form); });
+    section("Media", [&] { draw_media_section(form); });
+    section("Lamps", [&] { draw_light_section(form); });
+    section("Render", [&] { draw_render_section(form, wavelengths_); });
+    ImGui::PopItemWidth();
+    section("Plan", [&] { draw_plan(*document->plan()); });
+}
+
+}  // namespace pol

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "viewer/session.h"
+
+namespace pol {
+
+/// The scene of the current document, to edit; of a picture from a file, what the file says about itself.
+class ScenePanel {
+public:
+    void draw(Session& session);
+
+private:
+    std::string wavelengths_;  // as being typed
+};
+
+}  // namespace pol
