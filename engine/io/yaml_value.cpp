@@ -325,7 +325,7 @@ YamlValue yaml_document(const std::string& text, const YamlFile& file) {
     }
     if (second) {
         complain(place_of(*second, file), "", "a second YAML document begins here",
-                 "remove the '---' line; one file holds one document");
+                 "remove the '---' line or the comma; one file holds one document");
     }
     return {document, file, ""};
 }

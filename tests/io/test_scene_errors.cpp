@@ -49,6 +49,7 @@ const std::vector<BadScene>& bad_scenes() {
         {"a sentence", "hello world\n", "hello ", "", "expected a map", "key: value"},
         {"a list", "- 1\n- 2\n", "- 1", "", "expected a map", "key: value"},
         {"two documents", empty_scene + "---\ntitle: b\n", "title:", "", "second YAML document", "---"},
+        {"a comma after the end", "{objects: []},\n", ",\n", "", "second YAML document", "comma"},
         {"tabs", "camera:\n\tfov: 3\n", ": 3", "", "not valid YAML", "indentation"},
 
         {"unknown key", camera + "objets: []\n", "objets", "objets", "unknown key", "'objects'"},
