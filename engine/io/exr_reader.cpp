@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <ImfChannelList.h>
+#include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
 #include <ImfTestFile.h>
 #include <fmt/format.h>
+#include <openexr.h>
 
 #include <algorithm>
 #include <array>
@@ -239,7 +241,13 @@ void add_shares(PlaneReader& reader, const std::vector<std::string>& channels, s
     }
 }
 
-Result<StokesImage> read_picture(Imf::InputFile& file) {
+/// Most by which OpenEXR shrinks the numbers of a picture: zlib by 1032, PIZ by 410; the DWA kinds keep one of 64
+/// numbers and then use zlib.
+double largest_compression(Imf::Compression kind) {
+    return kind == Imf::DWAA_COMPRESSION || kind == Imf::DWAB_COMPRESSION ? 0x1p18 : 2048.0;
+}
+
+Result<StokesImage> read_picture(Imf::InputFile& file, std::uintmax_t file_bytes) {
     const Imf::Header& header = file.header();
     Result<Layout> found = layout_of(header);
     if (!found) return found.error();
@@ -257,6 +265,10 @@ Result<StokesImage> read_picture(Imf::InputFile& file) {
                                        height, wavelengths, bytes / 0x1p30),
                            fmt::format("at most {:.0f} GiB", max_exr_bytes / 0x1p30));
     }
+    const double least_stored = width * height * 4.0 * wavelengths * 2.0;  // S0 to S3 as half floats
+    if (least_stored > largest_compression(header.compression()) * static_cast<double>(file_bytes))
+        return input_error(fmt::format("promises {} x {} pixels, more than the file can hold", width, height),
+                           "copy or render it again");
 
     StokesImage image;
     image.width = static_cast<int>(width);
@@ -312,6 +324,23 @@ Result<StokesImage> read_picture(Imf::InputFile& file) {
     return image;
 }
 
+/// What OpenEXR's C library finds wrong in the header. It checks sizes against the file; the C++ library takes as much
+/// memory as an attribute claims, up to 2 GiB, before it looks.
+std::string header_complaint(const std::filesystem::path& path) {
+    std::string complaint;
+    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    settings.user_data = &complaint;
+    settings.error_handler_fn = [](exr_const_context_t context, exr_result_t, const char* message) {
+        void* target = nullptr;
+        exr_get_user_data(context, &target);
+        auto& first = *static_cast<std::string*>(target);
+        if (first.empty()) first = message;
+    };
+    exr_context_t context = nullptr;
+    if (exr_start_read(&context, path.c_str(), &settings) == EXR_ERR_SUCCESS) exr_finish(&context);
+    return complaint;
+}
+
 std::optional<Error> file_problem(const std::filesystem::path& path) {
     std::error_code status;
     if (!std::filesystem::exists(path, status))
@@ -323,6 +352,8 @@ std::optional<Error> file_problem(const std::filesystem::path& path) {
     if (std::filesystem::file_size(path, status) == 0) return input_error("is empty", "render it again");
     if (!Imf::isOpenExrFile(path.c_str()))
         return input_error("is not an EXR file", "name a picture that polariscope render wrote");
+    if (const std::string complaint = header_complaint(path); !complaint.empty())
+        return input_error("is damaged or truncated: " + complaint, "copy or render it again");
     return std::nullopt;
 }
 
@@ -340,7 +371,7 @@ Result<StokesImage> read_exr(const std::filesystem::path& path) {
             return located(
                 input_error("is incomplete: some scan lines are missing", "was the program that wrote it stopped?"));
         }
-        Result<StokesImage> image = read_picture(file);
+        Result<StokesImage> image = read_picture(file, std::filesystem::file_size(path));
         if (!image) return located(image.error());
         return image;
     } catch (const std::bad_alloc&) {

@@ -37,7 +37,7 @@ public:
     PngReader& operator=(const PngReader&) = delete;
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-    /// Reads up to the pixels and asks for 3 or 4 channels of 8 or 16 bits.
+    /// Reads up to the pixels; takes no memory that grows with the picture.
     bool read_header() {
         if (png_ == nullptr || info_ == nullptr) return false;
         if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng has no other way
@@ -49,6 +49,12 @@ public:
         height = png_get_image_height(png_, info_);
         stored_bits = std::uint64_t{png_get_bit_depth(png_, info_)} * png_get_channels(png_, info_);
         if (png_get_valid(png_, info_, PNG_INFO_sRGB) == 0 && png_get_gAMA(png_, info_, &gamma) == 0) gamma = 0.0;
+        return true;
+    }
+
+    /// Asks for 3 or 4 channels of 8 or 16 bits and makes libpng's rows.
+    bool prepare_rows() {
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT(cert-err52-cpp)
         png_set_expand(png_);
         png_set_gray_to_rgb(png_);
         if (std::endian::native == std::endian::little) png_set_swap(png_);
@@ -169,6 +175,7 @@ Result<RgbImage> load_texture(const std::filesystem::path& path) {
         return error("promises more pixels than the file can hold", "export the texture again");
     }
 
+    if (!png.prepare_rows()) return error("is a damaged PNG: " + png.message(), "export the texture again");
     std::vector<std::uint8_t> pixels(png.row_bytes * png.height);
     std::vector<png_bytep> rows;
     for (std::size_t y = 0; y < png.height; ++y) rows.push_back(pixels.data() + y * png.row_bytes);

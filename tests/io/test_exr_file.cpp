@@ -276,23 +276,46 @@ TEST_F(ExrFile, IsRefusedWhereverItIsCutOffAndNeverCrashesOnDamage) {
     }
 }
 
-TEST_F(ExrFile, IsRefusedIfItClaimsAnAbsurdSize) {
-    ASSERT_TRUE(write_exr(sample_image(4, 4, {580.0}), path()));
-    std::fstream file(path(), std::ios::binary | std::ios::in | std::ios::out);
-    std::string bytes((std::istreambuf_iterator<char>(file)), {});
+/// `exr` with its data window and display window made `width` x `height` pixels, whatever it holds.
+std::string resized(std::string exr, std::uint32_t width, std::uint32_t height) {
     for (const std::string name : {"dataWindow", "displayWindow"}) {
         // After the name: 0, "box2i", 0, size 4, then min.x, min.y, max.x, max.y.
-        const std::size_t window = bytes.find(name) + name.size() + 1 + 6 + 4;
-        const std::uint32_t huge = 999999;
+        const std::size_t window = exr.find(name) + name.size() + 1 + 6 + 4;
         for (std::size_t i = 0; i < 4; ++i) {
-            bytes[window + 8 + i] = static_cast<char>(huge >> (8 * i));
-            bytes[window + 12 + i] = static_cast<char>(huge >> (8 * i));
+            exr[window + 8 + i] = static_cast<char>((width - 1) >> (8 * i));
+            exr[window + 12 + i] = static_cast<char>((height - 1) >> (8 * i));
         }
     }
-    std::ofstream(path("huge.exr"), std::ios::binary) << bytes;
+    return exr;
+}
+
+TEST_F(ExrFile, IsRefusedIfItClaimsAnAbsurdSize) {
+    ASSERT_TRUE(write_exr(sample_image(4, 4, {580.0}), path()));
+    std::ifstream file(path(), std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    std::ofstream(path("huge.exr"), std::ios::binary) << resized(bytes, 1000000, 1000000);
     const Result<StokesImage> read = read_exr(path("huge.exr"));
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().kind, ErrorKind::input);
+
+    std::ofstream(path("wide.exr"), std::ios::binary) << resized(bytes, 200000, 4);
+    const Result<StokesImage> wide = read_exr(path("wide.exr"));
+    ASSERT_FALSE(wide);
+    EXPECT_EQ(wide.error().what, "promises 200000 x 4 pixels, more than the file can hold");
+}
+
+TEST_F(ExrFile, IsRefusedIfAnAttributeClaimsMoreThanTheFileHas) {
+    ASSERT_TRUE(write_exr(sample_image(4, 4, {580.0}), path()));
+    std::ifstream file(path(), std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    const std::string start("emissiveUnits\0string\0", 21);
+    const std::size_t size = bytes.find(start) + start.size();
+    bytes[size + 3] = 0x6f;  // 1.7 GiB
+    std::ofstream(path("long.exr"), std::ios::binary) << bytes;
+    const Result<StokesImage> read = read_exr(path("long.exr"));
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().what,
+              "is damaged or truncated: Attribute 'emissiveUnits', type 'string': Invalid size 1862270988");
 }
 
 TEST_F(ExrFile, CannotBeWrittenToAMissingFolderAFolderOrADevice) {
