@@ -14,16 +14,17 @@ Steps, all by default, in this order:
   asan      AddressSanitizer and UndefinedBehaviorSanitizer over every test but those labelled slow (whole renders
             that take minutes there; they run in release)
   tsan      ThreadSanitizer over the tests labelled threads (render, film)
+  fuzz      libFuzzer for 60 s in all on everything that reads files; longer: tests/fuzz/run.sh
 Prints what each step took, then "N passed, N failed", and exits 1 if anything failed. A build that breaks, or a step that
 does not end in time, counts as one failure. JOBS=N sets the number of jobs, 2 by default.
 END
 }
 
 steps=("$@")
-[ $# -gt 0 ] || steps=(release tidy asan tsan)
+[ $# -gt 0 ] || steps=(release tidy asan tsan fuzz)
 for step in "${steps[@]}"; do
     case $step in
-    release | tidy | asan | tsan) ;;
+    release | tidy | asan | tsan | fuzz) ;;
     -h | --help) usage && exit 0 ;;
     *) usage >&2 && exit 2 ;;
     esac
@@ -87,6 +88,16 @@ tidy() {
     passed=$((passed + 1))
 }
 
+# Every target is one test.
+fuzz() {
+    local bad=0
+    "$root/tests/fuzz/run.sh" 12 || bad=$?
+    [ $bad -le 5 ] || bad=5
+    passed=$((passed + 5 - bad))
+    failed=$((failed + bad))
+    return $bad
+}
+
 begin=$SECONDS
 mkdir -p "$root/build"
 step "packages" install_packages run test
@@ -117,6 +128,9 @@ for name in "${steps[@]}"; do
         wrap=("${unrandomized[@]}")
         step "build tsan" build tsan polariscope_thread_tests &&
             step "test tsan" run_tests tsan 600 --label-regex threads
+        ;;
+    fuzz)
+        step "build fuzz" build fuzz polariscope_fuzz && step "fuzz" fuzz
         ;;
     esac
 done

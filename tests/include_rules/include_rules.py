@@ -45,6 +45,7 @@ LIBRARIES = {
     "OpenEXR/": ["io/"],
     "Imath/": ["io/"],
     "Imf": ["io/"],
+    "openexr.h": ["io/"],
     "Iex": ["io/"],
     "yaml-cpp/": ["io/"],
     "png.h": ["io/"],

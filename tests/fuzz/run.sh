@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Builds the fuzz targets and runs them. See --help.
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+kinds=(scene mesh index texture exr)
+
+usage() {
+    cat <<END
+Usage: tests/fuzz/run.sh [SECONDS [KIND...]]
+
+Builds the libFuzzer targets (preset fuzz: clang, address and undefined sanitizers) and runs each for SECONDS, 12 by
+default, JOBS of them at a time, 2 by default. KIND: ${kinds[*]}; all by default.
+A target starts with tests/fuzz/corpus/KIND, the shipped assets of its kind and what earlier runs found worth keeping
+(build/fuzz/corpus/KIND). An input that crashes, leaks, takes more than 60 s or 4 GiB is kept in build/fuzz/findings; the
+exit code is the number of targets with such an input, or 100 if the build breaks.
+END
+}
+
+case ${1:-} in
+-h | --help) usage && exit 0 ;;
+*[!0-9]*) usage >&2 && exit 101 ;;
+esac
+seconds=${1:-12}
+[ $# -lt 2 ] || kinds=("${@:2}")
+
+# shellcheck source=tests/support/setup.sh
+. "$root/tests/support/setup.sh"
+build=$root/build/fuzz
+mkdir -p "$root/build"
+configure fuzz && cmake --build "$build" -j "${JOBS:-2}" --target polariscope_fuzz -- --quiet || exit 100
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export TMPDIR=$scratch # where the targets write the files that they read
+# Address space randomization wider than the sanitizers expect makes them abort on some kernels.
+unrandomized=()
+setarch "$(uname -m)" -R true 2>/dev/null && unrandomized=(setarch "$(uname -m)" -R)
+
+# fuzz KIND: says what was run and how far it got; the log stays in build/fuzz.
+fuzz() {
+    local kind=$1 corpus=$build/corpus/$1 log=$build/$1.log verdict=ok edges inputs
+    mkdir -p "$corpus" "$build/findings"
+    [ -d "$root/tests/fuzz/corpus/$kind" ] && cp "$root/tests/fuzz/corpus/$kind"/* "$corpus"
+    case $kind in
+    scene) cp "$root"/assets/scenes/*.yaml "$corpus" ;;
+    index) cp "$root"/assets/refractive_index/*.yml "$corpus" ;;
+    texture) cp "$root"/assets/textures/*.png "$corpus" ;;
+    esac
+    "${unrandomized[@]}" "$build/tests/fuzz/polariscope_fuzz_$kind" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 \
+        -print_final_stats=1 -artifact_prefix="$build/findings/$kind-" "$corpus" </dev/null >"$log" 2>&1 || {
+        verdict="FAILED, see build/fuzz/findings"
+        touch "$scratch/$kind.failed"
+        tail -n 40 "$log"
+    }
+    edges=$(sed -nE 's/^#[0-9]+.* cov: ([0-9]+) .*/\1/p' "$log" | sed -n '1p;$p' | paste -sd ' ' | sed 's/ / to /')
+    inputs=$(sed -nE 's/^stat::number_of_executed_units: //p' "$log")
+    say "fuzz $kind: ${inputs:-?} inputs, ${edges:-?} edges, $verdict"
+}
+
+running=0
+for kind in "${kinds[@]}"; do
+    if [ $running -eq "${JOBS:-2}" ]; then
+        wait -n
+        running=$((running - 1))
+    fi
+    fuzz "$kind" &
+    running=$((running + 1))
+done
+wait
+exit "$(find "$scratch" -name '*.failed' | wc -l)"
