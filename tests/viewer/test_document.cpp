@@ -220,6 +220,20 @@ TEST(Document, ALentPictureStaysAsItIsWhileTheRenderGoesOn) {
     EXPECT_EQ(document->picture().samples[0], 1U);
 }
 
+TEST(Document, StopsByTimeAndGoesToTheEndWithoutTheRule) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(64, 64));
+    const auto document = opened(folder / "plate.yaml");
+    document->set_stop_rules({.seconds = 1e-6, .error = std::nullopt});
+    test::finish(*document);
+    EXPECT_EQ(document->progress().reason, StopReason::time);
+    EXPECT_LT(document->progress().done, 1.0);
+    document->set_stop_rules({});
+    test::finish(*document);
+    EXPECT_EQ(document->progress().reason, StopReason::samples);
+    expect_same_picture(document->picture(), test::render(document->scene()));
+}
+
 TEST(Document, NoTwoDocumentsShareALayoutNumber) {
     const TemporaryFolder folder;
     test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));

@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <optional>
+#include <string>
+
 #include "viewer/command_actions.h"
 #include "viewer/panels/scene_sections.h"
 #include "viewer/widgets/theme.h"
@@ -49,6 +52,39 @@ void draw_file(Session& session, const Document& document) {
         ImGui::TextWrapped("%s", to_string(*problem).c_str());
         ImGui::PopStyleColor();
     }
+}
+
+/// A rule that is off until it is checked. True if it was changed.
+bool draw_rule(const char* name, std::optional<double>& rule, double usual, const char* hint) {
+    ImGui::PushID(name);
+    bool on = rule.has_value();
+    bool changed = ImGui::Checkbox("##on", &on);
+    name_widget(std::string("rule ") + name);
+    if (changed) rule = on ? std::optional(usual) : std::nullopt;
+    ImGui::SameLine();
+    if (rule) {
+        double value = *rule;
+        ImGui::InputDouble(name, &value, 0.0, 0.0, "%.4g");
+        if (ImGui::IsItemDeactivatedAfterEdit() && value > 0.0) {
+            rule = value;
+            changed = true;
+        }
+    } else {
+        ImGui::TextUnformatted(name);
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint);
+    ImGui::PopID();
+    return changed;
+}
+
+void draw_stop_rules(Document& document) {
+    StopRules rules = document.stop_rules();
+    const bool time =
+        draw_rule("seconds", rules.seconds, 60.0, "Stops after this time. A change starts the render over.");
+    const bool error = draw_rule("error", rules.error, 0.01,
+                                 "Stops when truncation and sampling have each fallen to half of this part of the "
+                                 "picture. A change starts the render over.");
+    if (time || error) document.set_stop_rules(rules);
 }
 
 /// What the plan needs, and what it leaves out with the reason.
@@ -108,6 +144,7 @@ void ScenePanel::draw(Session& session) {
     section("Media", [&] { draw_media_section(form); });
     section("Lamps", [&] { draw_light_section(form); });
     section("Render", [&] { draw_render_section(form, wavelengths_); });
+    section("Stop", [&] { draw_stop_rules(*document); });
     ImGui::PopItemWidth();
     section("Plan", [&] { draw_plan(*document->plan()); });
 }

@@ -202,8 +202,7 @@ std::string wavelengths_text(const std::vector<double>& wavelengths_nm) {
 
 void draw_camera_section(EditForm& form) {
     Camera& camera = form.scene.camera;
-    form.vector("position", camera.position, 0.02,
-                "Where the camera stands, scene units. Alt+drag in the picture orbits.");
+    form.vector("position", camera.position, 0.02, "Where the camera stands, scene units.");
     form.vector("target", camera.target, 0.02, "What it looks at, scene units.");
     form.vector("up", camera.up, 0.01, "Direction that is up in the picture.");
     if (camera.projection == Projection::perspective)
