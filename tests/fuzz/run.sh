@@ -3,26 +3,30 @@
 # Builds the fuzz targets and runs them. See --help.
 set -uo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
-kinds=(scene mesh index texture exr)
+every_kind=(scene mesh index texture exr)
 
 usage() {
     cat <<END
 Usage: tests/fuzz/run.sh [SECONDS [KIND...]]
 
 Builds the libFuzzer targets (preset fuzz: clang, address and undefined sanitizers) and runs each for SECONDS, 12 by
-default, JOBS of them at a time, 2 by default. KIND: ${kinds[*]}; all by default.
+default, JOBS of them at a time, 2 by default. KIND: ${every_kind[*]}; all by default.
 A target starts with tests/fuzz/corpus/KIND, the shipped assets of its kind and what earlier runs found worth keeping
 (build/fuzz/corpus/KIND). An input that crashes, leaks, takes more than 60 s or 4 GiB is kept in build/fuzz/findings; the
-exit code is the number of targets with such an input, or 100 if the build breaks.
+exit code is the number of targets with such an input, 100 if the build breaks, or 101 for wrong arguments.
 END
 }
 
 case ${1:-} in
 -h | --help) usage && exit 0 ;;
-*[!0-9]*) usage >&2 && exit 101 ;;
+0* | *[!0-9]*) usage >&2 && exit 101 ;;
 esac
 seconds=${1:-12}
-[ $# -lt 2 ] || kinds=("${@:2}")
+kinds=("${@:2}")
+[ $# -ge 2 ] || kinds=("${every_kind[@]}")
+for kind in "${kinds[@]}"; do
+    [ -f "$root/tests/fuzz/fuzz_$kind.cpp" ] || { usage >&2 && exit 101; }
+done
 
 # shellcheck source=tests/support/setup.sh
 . "$root/tests/support/setup.sh"
@@ -47,8 +51,8 @@ fuzz() {
     index) cp "$root"/assets/refractive_index/*.yml "$corpus" ;;
     texture) cp "$root"/assets/textures/*.png "$corpus" ;;
     esac
-    "${unrandomized[@]}" "$build/tests/fuzz/polariscope_fuzz_$kind" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 \
-        -print_final_stats=1 -artifact_prefix="$build/findings/$kind-" "$corpus" </dev/null >"$log" 2>&1 || {
+    "${unrandomized[@]}" "$build/tests/fuzz/polariscope_fuzz_$kind" -max_total_time="$seconds" -timeout=60 -report_slow_units=60 \
+        -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$build/findings/$kind-" "$corpus" </dev/null >"$log" 2>&1 || {
         verdict="FAILED, see build/fuzz/findings"
         touch "$scratch/$kind.failed"
         tail -n 40 "$log"
