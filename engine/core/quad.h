@@ -9,7 +9,7 @@
 
 namespace pol {
 
-__extension__ typedef __float128 NativeQuad;
+__extension__ typedef __float128 NativeQuad;  // NOLINT: __extension__ takes no alias declaration
 
 struct Quad {
     NativeQuad value;

@@ -4,10 +4,10 @@
 
 #include <functional>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <vector>
 
+#include "core/index_range.h"
 #include "polarization/coherence_matrix.h"
 #include "tracer/crossing.h"
 #include "tracer/node.h"
@@ -30,8 +30,8 @@ struct RayTreeNode {
     /// Coherence matrix of the light that arrives at the start of this branch, in start.wave.field (a single mode uses
     /// xx only), basic radiance times n_camera^2. None on the random tail.
     std::optional<CoherenceMatrix<double>> arriving;
-    Stokes<double> share{};                     ///< what this branch and all that grew from it bring to the pixel
-    std::ranges::iota_view<int, int> children;  ///< indices into RayTree::nodes: siblings are born in a row
+    Stokes<double> share{};  ///< what this branch and all that grew from it bring to the pixel
+    IndexRange children;     ///< indices into RayTree::nodes: siblings are born in a row
 
     /// True for a leaf that ended on a source of light.
     [[nodiscard]] bool brings_light() const {

@@ -11,7 +11,7 @@ THEMES = ["dark", "light"]
 SCENE = SCENES / "paper-calcite-unpolarized.yaml"
 PIXEL = (256, 220)
 MAPS = {"color": "1", "dop": "3", "azimuth": "5"}
-RENDER_SHARE = 0.35  # enough of the picture to look at
+RENDER_SHARE = 0.999  # the whole picture
 
 
 def take(program, folder, size, theme):
