@@ -29,7 +29,8 @@ Stokes<double> half_difference(const Stokes<double>& sum, const Stokes<float>& o
     const Stokes<double> difference{odd_minus_even.s0, odd_minus_even.s1, odd_minus_even.s2, odd_minus_even.s3};
     const double whole = samples;
     if (samples % 2 == 0) return (1.0 / whole) * difference;
-    const double odd = samples / 2;
+    const std::uint32_t odd_samples = samples / 2;
+    const double odd = odd_samples;
     const double even = whole - odd;
     // Means of the halves: (sum + difference) / 2 odd, (sum - difference) / 2 even.
     const double scale = 0.5 * std::sqrt(odd * even) / whole;

@@ -12,7 +12,7 @@ void TreeRecorder::opened(const Node& node, int parent, Interaction interaction)
     entry.start = node;
     entry.end = node;
     entry.estimated = in_tail_;
-    tree.nodes.push_back(std::move(entry));
+    tree.nodes.push_back(entry);
     if (parent < 0) return;
     auto& children = at(parent).children;
     children = {children.empty() ? node.id : *children.begin(), node.id + 1};

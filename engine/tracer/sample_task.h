@@ -20,8 +20,9 @@ inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t 
     constexpr double step_y = 0.5698402909980532;  // 1/p^2
     const RandomKey key{seed, pixel, 0, 0};
     const std::uint32_t half = sample % 2;
-    const double x = random_unit(key, 2 * half) + step_x * static_cast<double>(sample / 2);
-    const double y = random_unit(key, 2 * half + 1) + step_y * static_cast<double>(sample / 2);
+    const std::uint32_t step = sample / 2;
+    const double x = random_unit(key, 2 * half) + step_x * static_cast<double>(step);
+    const double y = random_unit(key, 2 * half + 1) + step_y * static_cast<double>(step);
     return {x - std::floor(x), y - std::floor(y)};
 }
 
