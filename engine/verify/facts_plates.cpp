@@ -124,7 +124,7 @@ Fact furnace() {
         {"ball",
          "  - {name: ball, shape: {sphere: {radius: 1}}, transform: [{translate: [0, 0, -1]}], medium: glass}\n"}};
     for (const auto& [name, object] : objects) {
-        const auto scene = [&](int depth) {
+        const auto scene = [&, &object = object](int depth) {
             return camera_along(downward(radians(degree))) + picture("depth: " + std::to_string(depth)) +
                    "background: 1\nmedia: {glass: 1.5}\nobjects:\n" + object;
         };

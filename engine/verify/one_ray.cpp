@@ -11,7 +11,7 @@
 
 namespace pol::verify {
 
-OneRay look(Scene scene) {
+OneRay look(const Scene& scene) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const OneRay refused{{nan, nan, nan, nan}, nan};
     if (first_problem(scene)) return refused;

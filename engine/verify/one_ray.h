@@ -17,7 +17,7 @@ struct OneRay {
 };
 
 /// Renders the scene as one pixel. Every number is NaN if the scene is refused or its arithmetic failed.
-OneRay look(Scene scene);
+OneRay look(const Scene& scene);
 
 /// Orthographic camera at `from` that looks along `direction`, its picture's x axis across `up`.
 Camera camera_at(const DVec3& from, const DVec3& direction, const DVec3& up);

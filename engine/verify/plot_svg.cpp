@@ -215,7 +215,7 @@ private:
             if (!std::isfinite(band.x[i]) || !std::isfinite(band.low[i]) || !std::isfinite(band.high[i])) continue;
             const double x = x_.pixel(band.x[i]);
             there += fmt::format("{}{:.1f} {:.1f}", there.empty() ? "M" : "L", x, y_.pixel(band.high[i]));
-            back = fmt::format("L{:.1f} {:.1f}", x, y_.pixel(band.low[i])) + back;
+            back.insert(0, fmt::format("L{:.1f} {:.1f}", x, y_.pixel(band.low[i])));
         }
         if (there.empty()) return;
         out_ +=
