@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "viewer/commands.h"
+#include "viewer/exports.h"
 #include "viewer/pixel_export.h"
 
 namespace pol::action {
@@ -162,10 +163,11 @@ bool view_has(const Session& session) {
     return session.view.*flag;
 }
 
-/// Into the scene's file, or a new one in the current folder. False if that failed; the log says why.
+/// Into the scene's file, or a new one (free_export_path). False if that failed; the log says why.
 inline bool save_scene(Session& session) {
     const Document& document = *session.current();
-    return session.save(document.path().empty() ? std::filesystem::path(document.name()) : document.path());
+    if (!document.path().empty()) return session.save(document.path());
+    return session.save(free_export_path(session, std::filesystem::path(document.name()).stem().string(), ".yaml"));
 }
 
 }  // namespace pol::action

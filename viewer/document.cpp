@@ -7,12 +7,14 @@
 #include <limits>
 
 #include "core/contract.h"
+#include "io/assets.h"
 #include "io/exr_file.h"
 #include "io/output_file.h"
 #include "io/scene_file.h"
 #include "io/scene_hash.h"
 #include "plan/compile.h"
 #include "scene/check.h"
+#include "verify/fact.h"
 
 namespace pol {
 
@@ -77,6 +79,18 @@ Result<std::unique_ptr<Document>> Document::make(Scene scene, std::string name, 
     if (auto started = document->render(scene); !started) return started.error();
     document->history_ = EditHistory(std::move(scene));
     document->history_.mark_unsaved();
+    return document;
+}
+
+Result<std::unique_ptr<Document>> Document::of_fact(const verify::Fact& fact, std::size_t view,
+                                                    std::function<void()> wake) {
+    const std::string name = fact.id + "-" + std::to_string(view + 1) + ".yaml";
+    auto scene = parse_scene(fact.views[view].yaml, name, assets_dir());
+    if (!scene) return scene.error();
+    auto document = make(std::move(scene).value(), name, std::move(wake));
+    if (!document) return document;
+    document.value()->fact_ = ShownFact{&fact, view};
+    document.value()->history_.mark_saved();
     return document;
 }
 

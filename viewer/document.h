@@ -22,6 +22,16 @@
 
 namespace pol {
 
+namespace verify {
+struct Fact;
+}
+
+/// A fact of polarization optics, and which of its views a document shows.
+struct ShownFact {
+    const verify::Fact* fact = nullptr;
+    std::size_t view = 0;  ///< index into Fact::views
+};
+
 /// Thread safety: main thread only. `wake`, given at opening, is called from workers.
 class Document {
 public:
@@ -31,14 +41,20 @@ public:
     /// A scene that no file has yet, by the name that Save will suggest ("calcite-twin.yaml"). Error: it cannot be
     /// rendered.
     static Result<std::unique_ptr<Document>> make(Scene scene, std::string name, std::function<void()> wake);
+    /// The scene of a fact (verify/fact.h), which no file has: "T9-3.yaml" for its third view. Unlike other scenes
+    /// without a file it is not dirty until it is edited, since it can be opened again. Error: it cannot be rendered.
+    static Result<std::unique_ptr<Document>> of_fact(const verify::Fact& fact, std::size_t view,
+                                                     std::function<void()> wake);
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
     /// The file; empty if there is none yet.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// File name, or the name given to make().
+    /// File name, or the name that Save will suggest.
     [[nodiscard]] const std::string& name() const { return name_; }
+    /// The fact that the document was made for, whatever was edited since.
+    [[nodiscard]] const std::optional<ShownFact>& fact() const { return fact_; }
     [[nodiscard]] bool has_scene() const { return plan_ != nullptr; }
     /// Requires: has_scene().
     [[nodiscard]] const Scene& scene() const { return history_.scene(); }
@@ -91,7 +107,7 @@ public:
 
     // The file --------------------------------------------------------------------------------------------------------
 
-    /// The scene is not what its file says, or has no file.
+    /// The scene is not what its file or its fact says, or has neither.
     [[nodiscard]] bool dirty() const { return has_scene() && history_.dirty(); }
     /// Writes the scene as YAML that loads back to the same scene hash; from now on `path` is the document's file.
     /// Requires: has_scene().
@@ -132,6 +148,7 @@ private:
     Version film_seen_ = 0;            // all tiles are at least of this version
     bool paused_ = false;
     bool resting_ = false;
+    std::optional<ShownFact> fact_;
 };
 
 }  // namespace pol

@@ -10,6 +10,7 @@
 
 #include "viewer/commands.h"
 #include "viewer/panels/bench_panel.h"
+#include "viewer/panels/fact_panel.h"
 #include "viewer/panels/help_sheet.h"
 #include "viewer/panels/menu_bar.h"
 #include "viewer/panels/problem_banner.h"
@@ -82,9 +83,9 @@ void section(const char* name, const Draw& draw) {
 
 /// A tab whose contents scroll for themselves.
 template <class Draw>
-void tab(bool here, const char* name, const Draw& draw) {
+void tab(bool here, const char* name, const Draw& draw, ImGuiTabItemFlags flags = ImGuiTabItemFlags_None) {
     if (!here) return;
-    const bool open = ImGui::BeginTabItem(name);
+    const bool open = ImGui::BeginTabItem(name, nullptr, flags);
     name_widget(std::string("tab ") + name);
     if (!open) return;
     ImGui::BeginChild(name);
@@ -123,6 +124,12 @@ void Interface::draw_tabs(Session& session, Frame& /*frame*/, Stack stack) {
     const bool lower = stack != Stack::upper;
     tab(upper, "Pixel", [&] { pixel_.draw(session); });
     tab(upper, "Scene", [&] { scene_.draw(session); });
+    if (upper && session.current() != nullptr && session.current()->fact()) {
+        const bool to_front = std::exchange(session.window.fact_to_front, false);
+        tab(
+            true, "Fact", [&] { draw_fact_panel(session); },
+            to_front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+    }
     tab(lower, "Paths", [&] { paths_.draw(session); });
     tab(lower, "Table", [&] { rays_.draw(session); });
     tab(lower, "3-D", [&] { space_.draw(session); });

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
+
+#include "verify/fact.h"
 #include "viewer/twins.h"
 
 namespace pol {
@@ -27,6 +29,13 @@ bool Session::open(const std::filesystem::path& path) {
 
 bool Session::open_scene(Scene scene, const std::string& name) {
     return adopt(Document::make(std::move(scene), name, wake_));
+}
+
+bool Session::open_fact(const verify::Fact& fact, std::size_t view_index) {
+    if (!adopt(Document::of_fact(fact, view_index, wake_))) return false;
+    pin_fact();
+    window.fact_to_front = true;
+    return true;
 }
 
 bool Session::open_isotropic_twin() {
@@ -184,6 +193,13 @@ void Session::pin(PixelAddress pixel) {
     selection.current = static_cast<int>(found - selection.pins.begin());
     if (found == selection.pins.end()) selection.pins.push_back(pixel);
     selection.node.reset();
+}
+
+void Session::pin_fact() {
+    const ShownFact shown = *current()->fact();
+    const verify::FactView& fact_view = shown.fact->views[shown.view];
+    pin({fact_view.x, fact_view.y});
+    selection.sample = 0;
 }
 
 void Session::nudge(int dx, int dy) {

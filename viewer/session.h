@@ -31,8 +31,11 @@ public:
 
     /// Opens a file and makes it the current document; on error the log says why and nothing changes.
     bool open(const std::filesystem::path& path);
-    /// Makes a scene that no file has (a twin, a fact) the current document; on error the log says why.
+    /// Makes a scene that no file has (a twin) the current document; on error the log says why.
     bool open_scene(Scene scene, const std::string& name);
+    /// Makes the scene of a fact the current document, pins its pixel and brings the fact's page to the front; on error
+    /// the log says why. `fact` must outlive the session, as those of verify::facts() do.
+    bool open_fact(const verify::Fact& fact, std::size_t view_index);
     /// Closes the current document, saved or not; the one before it is shown.
     void close_document();
 
@@ -64,6 +67,8 @@ public:
 
     /// Pins a pixel of the current picture and makes it the current pin. Outside the picture: does nothing.
     void pin(PixelAddress pixel);
+    /// Pins the pixel that the current document's fact is about, and the sample in its middle. Requires: there is one.
+    void pin_fact();
     /// Moves the current pin; stays inside the picture.
     void nudge(int dx, int dy);
     /// Releases the current pin; the one pinned before it becomes current.

@@ -34,8 +34,9 @@ struct WindowState {
     double ui_scale = 0.0;  ///< of fonts and widgets; 0: what the screen says
     Layout layout;
     Quit quit = Quit::no;
-    bool close_asked = false;  ///< of the current document
-    std::string to_clipboard;  ///< taken by the interface; empty: nothing
+    bool close_asked = false;    ///< of the current document
+    bool fact_to_front = false;  ///< the page of the document's fact; taken by the interface
+    std::string to_clipboard;    ///< taken by the interface; empty: nothing
 
     /// A question or an entry is open: keys belong to it.
     [[nodiscard]] bool modal() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/commands.h"
+#include "viewer/panels/facts_menu.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {
@@ -39,6 +40,7 @@ float draw_menu_bar(Session& session) {
         }
         first = end;
     }
+    draw_facts_menu(session);
     const float height = ImGui::GetWindowSize().y;
     ImGui::EndMainMenuBar();
     return height;

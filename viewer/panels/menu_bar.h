@@ -5,7 +5,7 @@
 
 namespace pol {
 
-/// Main menu, made from the table of commands. Returns its height in points.
+/// Main menu, made from the table of commands, and the menu of facts. Returns its height in points.
 float draw_menu_bar(Session& session);
 
 }  // namespace pol

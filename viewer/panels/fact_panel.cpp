@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/panels/fact_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string>
+
+#include "viewer/fact_sheet.h"
+#include "viewer/panels/tree_state.h"
+#include "viewer/reading_text.h"
+#include "viewer/widgets/copyable.h"
+#include "viewer/widgets/theme.h"
+#include "viewer/widgets/widget_map.h"
+
+namespace pol {
+
+namespace {
+
+void dim_text(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+}
+
+void draw_number(const char* name, double value, const std::string& unit) {
+    constexpr int digits = 12;
+    const std::string after = unit.empty() ? "" : " " + unit;
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", name);
+    ImGui::TableNextColumn();
+    copyable(name, short_number(value, digits) + after, fmt::format("{:.17g}{}", value, after), "");
+}
+
+void draw_row(const FactRow& row, const ThemeColors& color) {
+    const verify::Reading& reading = *row.reading;
+    ImGui::Separator();
+    ImGui::TextWrapped("%s", reading.what.c_str());
+    if (row.result) {
+        const bool pass = row.result->verdict == verify::Verdict::pass;
+        ImGui::SameLine();
+        ImGui::TextColored(pass ? color.good : color.error, "%s",
+                           std::string(verify::verdict_text(row.result->verdict)).c_str());
+    }
+    if (ImGui::BeginTable("numbers", 4)) {
+        for (const bool stretched : {false, true, false, true})
+            ImGui::TableSetupColumn("",
+                                    stretched ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
+        draw_number("expected", reading.expected, reading.unit);
+        if (row.result) draw_number("measured", row.result->measured, reading.unit);
+        ImGui::EndTable();
+    }
+    const std::string tolerance = short_number(reading.tolerance.value, 3) + " (" + reading.tolerance.from + ")";
+    dim_text(row.result ? "deviation: " + short_number(row.result->deviation, 3) + " tolerances of " + tolerance
+                        : "tolerance: " + tolerance);
+}
+
+}  // namespace
+
+void draw_fact_panel(Session& session) {
+    const FactSheet sheet = make_fact_sheet(session);
+    ImGui::TextWrapped("%s  %s", sheet.fact->id.c_str(), sheet.fact->sentence.c_str());
+    dim_text("Source: " + sheet.fact->source);
+    if (!sheet.view->name.empty()) ImGui::TextWrapped("This view: %s", sheet.view->name.c_str());
+
+    if (!sheet.pinned) {
+        ImGui::TextWrapped("The fact is about pixel %d,%d.", sheet.view->x, sheet.view->y);
+        if (ImGui::Button("Pin it")) session.pin_fact();
+        name_widget("button Pin it");
+    } else if (!sheet.trouble.empty()) {
+        ImGui::TextColored(colors(session.window.theme).error, "%s", sheet.trouble.c_str());
+    } else {
+        draw_tree_state(session);
+    }
+    for (const FactRow& row : sheet.rows) {
+        ImGui::PushID(row.reading);
+        draw_row(row, colors(session.window.theme));
+        ImGui::PopID();
+    }
+}
+
+}  // namespace pol
