@@ -279,6 +279,10 @@ TEST_F(Picture, PixelsWithoutASampleAreBackground) {
     StokesImage begun = known_film();
     begun.samples.assign(begun.pixel_count(), 1);
     begun.samples[10] = 0;
+    begun.residual.resize(begun.pixel_count() *
+                          (begun.residual.empty() ? 1 : begun.residual.size() / begun.pixel_count()));
+    for (std::size_t plane = 0; plane < begun.residual.size(); plane += begun.pixel_count())
+        begun.residual[plane + 10] = 1.0;  // with less it would be a preview
     open(begun);
     session_.show(Quantity::dop);
     EXPECT_EQ(drawn_at_1_to_1().pixels[10], (Rgb8{26, 26, 26}));
