@@ -103,6 +103,12 @@ bool Session::save(const std::filesystem::path& path) {
     return true;
 }
 
+bool Session::move_camera(const Camera& camera, const std::string& label) {
+    Scene scene = current()->scene();
+    scene.camera = camera;
+    return logged(current()->edit(std::move(scene), label));
+}
+
 bool Session::has_unsaved_edits() const {
     return std::any_of(documents_.begin(), documents_.end(), [](const auto& d) { return d->dirty(); });
 }

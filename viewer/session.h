@@ -53,6 +53,8 @@ public:
     bool redo();
     bool reload();
     bool save(const std::filesystem::path& path);
+    /// An edit named `label` (Document::edit); one step of undo until Document::end_edit(). Requires: a scene is shown.
+    bool move_camera(const Camera& camera, const std::string& label);
     /// Edits of scenes that no file has.
     [[nodiscard]] bool has_unsaved_edits() const;
 

@@ -4,9 +4,12 @@
 
 #include "known_picture.h"
 #include "maps/evaluate.h"
+#include "plan/camera_model.h"
+#include "viewer/camera_moves.h"
 #include "viewer/map_look.h"
 #include "viewer/panels/hover_readout.h"
 #include "viewer/reading_text.h"
+#include "viewer/viewer_files.h"
 #include "viewer/widgets/color_bar.h"
 #include "window_without_gl.h"
 
@@ -137,6 +140,124 @@ TEST_F(PicturePanelTest, FollowsTheWindowWhileFitted) {
     ImGui::GetIO().DisplaySize = {1280.0F, 800.0F};
     window.draw();
     EXPECT_EQ(window.session.transform.scale, zoomed) << "the user's zoom stays";
+}
+
+class CameraDragTest : public testing::Test {
+protected:
+    void SetUp() override {
+        test::write_text(folder / "plate.yaml", test::plate_scene(16, 12));
+        ASSERT_TRUE(window.session.open(folder / "plate.yaml"));
+        window.draw();
+        from = window.frame.viewport.origin + 0.5 * window.frame.viewport.size;
+        before = camera();
+    }
+    [[nodiscard]] const Camera& camera() const { return window.session.current()->scene().camera; }
+    static double distance(const Camera& camera) { return glm::length(camera.position - camera.target); }
+    /// The last edit was one step, and the only one.
+    void expect_one_step(const std::string& label) {
+        const EditHistory& history = window.session.current()->history();
+        ASSERT_TRUE(history.can_undo());
+        EXPECT_EQ(history.undo_label(), label);
+        window.session.undo();
+        EXPECT_FALSE(history.can_undo());
+        EXPECT_EQ(camera().position, before.position);
+        EXPECT_EQ(camera().target, before.target);
+    }
+
+    test::TemporaryFolder folder;
+    WindowWithoutGl window;
+    DVec2 from{};
+    Camera before;
+};
+
+TEST_F(CameraDragTest, AltAndDragOrbitsInOneStep) {
+    ImGui::GetIO().KeyAlt = true;
+    const DVec2 offset = window.session.transform.offset;
+    window.drag(from, from + DVec2(100.0, 0.0));
+    EXPECT_EQ(window.session.transform.offset, offset) << "the picture stays where it is";
+    EXPECT_FALSE(window.session.selection.pinned());
+    EXPECT_EQ(camera().target, before.target);
+    EXPECT_NEAR(distance(camera()), distance(before), 1e-12);
+    const double turned = dot(before.position, camera().position) / std::pow(distance(before), 2);
+    EXPECT_NEAR(degrees(std::acos(turned)), 30.0, 1e-6) << "half a turn per 600 points, about up";
+    EXPECT_LT(camera().position.x, before.position.x) << "what is in front goes with the mouse, to the right";
+    expect_one_step("camera orbit");
+}
+
+TEST_F(CameraDragTest, DragsAreStepsOfTheirOwn) {
+    ImGui::GetIO().KeyAlt = true;
+    window.drag(from, from + DVec2(100.0, 0.0));
+    const DVec3 first = camera().position;
+    window.drag(from, from + DVec2(0.0, 40.0));
+    EXPECT_GT(camera().position.y, 0.1) << "dragging down looks from above";
+    window.session.undo();
+    EXPECT_EQ(camera().position, first);
+    expect_one_step("camera orbit");
+}
+
+TEST_F(CameraDragTest, AnOrbitStopsBeforeThePole) {
+    ImGui::GetIO().KeyAlt = true;
+    window.drag(from, from + DVec2(0.0, 350.0));
+    EXPECT_NEAR(camera().position.y / distance(before), std::sin(radians(89.0)), 1e-9);
+    EXPECT_NEAR(distance(camera()), distance(before), 1e-12);
+}
+
+TEST_F(CameraDragTest, AltShiftAndDragKeepsTheTargetsPlaneUnderTheCursor) {
+    ImGui::GetIO().KeyAlt = true;
+    ImGui::GetIO().KeyShift = true;
+    const DVec2 moved(60.0, -36.0);
+    window.drag(from, from + moved);
+    EXPECT_FALSE(window.session.selection.region);
+    EXPECT_NEAR(glm::length((camera().position - camera().target) - (before.position - before.target)), 0.0, 1e-12);
+    // The old target is now seen through the point to which it was dragged.
+    const DVec2 pixel = DVec2(8.0, 6.0) + moved / window.session.transform.scale;
+    const CameraRay ray = CameraModel(camera(), 16, 12).ray(pixel.x, pixel.y);
+    EXPECT_NEAR(glm::length(cross(before.target - ray.origin, ray.direction)), 0.0, 1e-9);
+    expect_one_step("camera pan");
+}
+
+TEST_F(CameraDragTest, AltAndWheelDolliesInOneStepUntilAltIsLetGo) {
+    window.move(from);
+    ImGui::GetIO().KeyAlt = true;
+    const double scale = window.session.transform.scale;
+    window.turn_wheel(1.0F);
+    window.turn_wheel(1.0F);
+    EXPECT_NEAR(distance(before) / distance(camera()), 1.44, 1e-9);
+    EXPECT_EQ(window.session.transform.scale, scale);
+    ImGui::GetIO().KeyAlt = false;
+    window.draw();
+    const DVec3 first = camera().position;
+    ImGui::GetIO().KeyAlt = true;
+    window.turn_wheel(-3.0F);
+    window.session.undo();
+    EXPECT_EQ(camera().position, first);
+    expect_one_step("camera dolly");
+}
+
+TEST_F(CameraDragTest, WithoutAltTheViewMovesAndTheCameraStays) {
+    const DVec2 offset = window.session.transform.offset;
+    window.drag(from, from + DVec2(40.0, -25.0));
+    EXPECT_NEAR(window.session.transform.offset.x - offset.x, 40.0, 1e-6);
+    EXPECT_EQ(camera().position, before.position);
+    EXPECT_FALSE(window.session.current()->history().can_undo());
+}
+
+TEST_F(PicturePanelTest, APictureHasNoCameraToMove) {
+    ImGui::GetIO().KeyAlt = true;
+    const DVec2 from = window.place_of({3, 7});
+    const DVec2 offset = window.session.transform.offset;
+    window.drag(from, from + DVec2(40.0, 0.0));
+    EXPECT_NEAR(window.session.transform.offset.x - offset.x, 40.0, 1e-6);
+}
+
+TEST(CameraMoves, AnOrthographicCameraDolliesByItsWidth) {
+    Camera camera;
+    camera.projection = Projection::orthographic;
+    camera.position = {0.0, 0.0, 4.0};
+    camera.width = 3.0;
+    const Camera nearer = dollied(camera, 1.5);
+    EXPECT_EQ(nearer.width, 2.0);
+    EXPECT_EQ(nearer.position, camera.position);
 }
 
 TEST(MapLook, TheBarOfThePhotographIsMovedByExposureAndOffset) {

@@ -25,6 +25,10 @@ constexpr std::array mouse_help{
     MouseHelp{"Wheel", "Zoom at the cursor"},
     MouseHelp{"Drag", "Move the picture"},
     MouseHelp{"Click", "Pin a pixel: its matrix and paths"},
+    MouseHelp{"Shift+drag", "Draw a region"},
+    MouseHelp{"Alt+drag", "Orbit the scene's camera"},
+    MouseHelp{"Alt+Shift+drag", "Pan the scene's camera"},
+    MouseHelp{"Alt+wheel", "Dolly the scene's camera"},
     MouseHelp{"Drop a file", "Open it"},
 };
 

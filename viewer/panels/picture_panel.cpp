@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/camera_moves.h"
 #include "viewer/panels/hover_readout.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
@@ -99,9 +100,7 @@ void PicturePanel::handle_mouse(Session& session, const ViewRect& viewport) {
     const ImGuiIO& io = ImGui::GetIO();
     ViewTransform& transform = session.transform;
     const DVec2 at = DVec2(io.MousePos.x, io.MousePos.y) - viewport.origin;
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F)
-        transform.zoom_at(at, std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)));
-
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) handle_wheel(session, at);
     const DVec2 extent = extent_of(session);
     const DVec2 p = transform.picture_from_view(at);
     const bool is_inside = p.x >= 0.0 && p.y >= 0.0 && p.x < extent.x && p.y < extent.y;
@@ -115,16 +114,54 @@ void PicturePanel::handle_mouse(Session& session, const ViewRect& viewport) {
     const bool is_left = io.MouseDown[ImGuiMouseButton_Left];
     const auto button = is_left ? ImGuiMouseButton_Left : ImGuiMouseButton_Middle;
     if (ImGui::IsItemActive() && drag_ == Drag::none && ImGui::IsMouseDragging(button, click_slack))
-        drag_ = is_left && io.KeyShift ? Drag::region : Drag::pan;
+        drag_ = is_left ? drag_meant(session) : Drag::pan;
     // The picture point that was taken hold of stays under the cursor.
     if (ImGui::IsItemActive() && drag_ == Drag::pan) transform.pan(at - transform.view_from_picture(drag_from_));
     if (ImGui::IsItemActive() && drag_ == Drag::region) session.selection.region = touched(drag_from_, p, extent);
+    move_camera(session);
     if (ImGui::IsItemDeactivated() && drag_ == Drag::none && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
         if (io.KeyShift)
             session.selection.region.reset();
         else if (is_inside)
             session.pin({static_cast<int>(p.x), static_cast<int>(p.y)});
     }
+}
+
+PicturePanel::Drag PicturePanel::drag_meant(const Session& session) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyAlt && session.current()->has_scene()) return io.KeyShift ? Drag::pan_camera : Drag::orbit_camera;
+    return io.KeyShift ? Drag::region : Drag::pan;
+}
+
+void PicturePanel::handle_wheel(Session& session, const DVec2& at) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const double factor = std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel));
+    if (!io.KeyAlt || !session.current()->has_scene()) {
+        session.transform.zoom_at(at, factor);
+        return;
+    }
+    session.move_camera(dollied(session.current()->scene().camera, factor), "camera dolly");
+    dollying_ = true;
+}
+
+/// A drag is one step of undo, and so are the turns of the wheel until Alt is let go.
+void PicturePanel::move_camera(Session& session) {
+    Document& document = *session.current();
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool dragging = drag_ == Drag::orbit_camera || drag_ == Drag::pan_camera;
+    const DVec2 moved(io.MouseDelta.x, io.MouseDelta.y);
+    if (dragging && document.has_scene() && ImGui::IsItemActive() && moved != DVec2(0.0)) {
+        const Camera& camera = document.scene().camera;
+        if (drag_ == Drag::orbit_camera)
+            session.move_camera(orbited(camera, moved), "camera orbit");
+        else
+            session.move_camera(panned(camera, moved / session.transform.scale, document.picture().width),
+                                "camera pan");
+    }
+    const bool ended = (dragging && ImGui::IsItemDeactivated()) || (dollying_ && !io.KeyAlt);
+    if (!ended) return;
+    document.end_edit();
+    dollying_ = false;
 }
 
 }  // namespace pol

@@ -11,19 +11,24 @@
 namespace pol {
 
 /// The picture with what is drawn over it, its color bar, the reading under the cursor, and the mouse in it: the wheel
-/// zooms at the cursor, dragging pans, a click pins, Shift and dragging draws a region.
+/// zooms at the cursor, dragging pans, a click pins, Shift and dragging draws a region. With Alt, they move the camera
+/// of a scene: dragging orbits, Shift and dragging pans it, the wheel dollies.
 class PicturePanel {
 public:
     void draw(Session& session, Frame& frame);
 
 private:
-    enum class Drag { none, pan, region };
+    enum class Drag { none, pan, region, orbit_camera, pan_camera };
+    [[nodiscard]] static Drag drag_meant(const Session& session);
     void place_picture(Session& session, const DVec2& view);
     void handle_mouse(Session& session, const ViewRect& viewport);
+    void handle_wheel(Session& session, const DVec2& at);
+    void move_camera(Session& session);
 
     std::uint64_t fitted_layout_ = 0;
     DVec2 fitted_view_{0.0, 0.0};
     Drag drag_ = Drag::none;
+    bool dollying_ = false;
     DVec2 drag_from_{0.0, 0.0};  // picture coordinates
     PictureOverlay overlay_;
     ColorBar color_bar_;

@@ -202,8 +202,10 @@ std::string wavelengths_text(const std::vector<double>& wavelengths_nm) {
 
 void draw_camera_section(EditForm& form) {
     Camera& camera = form.scene.camera;
-    form.vector("position", camera.position, 0.02, "Where the camera stands, scene units.");
-    form.vector("target", camera.target, 0.02, "What it looks at, scene units.");
+    form.vector("position", camera.position, 0.02,
+                "Where the camera stands, scene units. In the picture: Alt and drag orbits, Alt and wheel dollies.");
+    form.vector("target", camera.target, 0.02,
+                "What it looks at, scene units. In the picture: Alt, Shift and drag pans.");
     form.vector("up", camera.up, 0.01, "Direction that is up in the picture.");
     if (camera.projection == Projection::perspective)
         form.angle("field of view", camera.horizontal_fov, "Horizontal angle of the picture.");
