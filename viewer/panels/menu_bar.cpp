@@ -8,6 +8,7 @@
 
 #include "viewer/commands.h"
 #include "viewer/panels/facts_menu.h"
+#include "viewer/panels/recent_files.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {
@@ -23,6 +24,14 @@ void draw_entry(Session& session, const Command& command) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(command.help).c_str());
 }
 
+void draw_open_recent(Session& session) {
+    const bool open = ImGui::BeginMenu("Open recent", !session.recent_files.empty());
+    name_widget("menu Open recent");
+    if (!open) return;
+    draw_recent_files(session);
+    ImGui::EndMenu();
+}
+
 }  // namespace
 
 float draw_menu_bar(Session& session) {
@@ -35,6 +44,7 @@ float draw_menu_bar(Session& session) {
         const bool open = ImGui::BeginMenu(std::string(group).c_str());
         name_widget("menu " + std::string(group));
         if (open) {
+            if (group == "File") draw_open_recent(session);
             for (std::size_t i = first; i < end; ++i) draw_entry(session, all[i]);
             ImGui::EndMenu();
         }

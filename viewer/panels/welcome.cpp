@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "io/assets.h"
+#include "viewer/panels/recent_files.h"
 #include "viewer/widgets/fonts.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
@@ -24,6 +25,13 @@ std::vector<fs::path> shipped_scenes() {
         if (entry.path().extension() == ".yaml") scenes.push_back(entry.path());
     std::sort(scenes.begin(), scenes.end());
     return scenes;
+}
+
+void heading(const char* text) {
+    ImGui::Dummy({0.0F, 0.5F * ImGui::GetFontSize()});
+    ImGui::PushFont(font(FontRole::bold));
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
 }
 
 }  // namespace
@@ -53,10 +61,11 @@ void Welcome::draw(Session& session) {
     if (!lines.empty() && lines.back().severity == Severity::error)
         ImGui::TextColored(colors(session.window.theme).error, "%s", lines.back().text.c_str());
 
-    ImGui::Dummy({0.0F, 0.5F * em});
-    ImGui::PushFont(font(FontRole::bold));
-    ImGui::TextUnformatted("Scenes that come with it");
-    ImGui::PopFont();
+    if (!session.recent_files.empty()) {
+        heading("Opened before");
+        draw_recent_files(session);
+    }
+    heading("Scenes that come with it");
     for (const fs::path& scene : shipped_) {
         if (ImGui::Selectable(scene.stem().c_str())) session.open(scene);
         name_widget("scene " + scene.stem().string());

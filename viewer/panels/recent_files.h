@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "viewer/session.h"
+
+namespace pol {
+
+/// One line per file of Session::recent_files, newest first; a click opens it. For a menu or a page.
+void draw_recent_files(Session& session);
+
+}  // namespace pol
