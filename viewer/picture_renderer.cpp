@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/contract.h"
@@ -103,7 +103,10 @@ struct Variant {
     Quantity quantity{};
     bool over_intensity = false;
     bool is_reduced = false;  ///< several pixels of the picture under one of the screen
-    friend auto operator<=>(const Variant&, const Variant&) = default;
+    friend bool operator<(const Variant& a, const Variant& b) {
+        return std::tie(a.quantity, a.over_intensity, a.is_reduced) <
+               std::tie(b.quantity, b.over_intensity, b.is_reduced);
+    }
 };
 
 Result<Program> program_for(const Variant& variant) {

@@ -42,8 +42,9 @@ std::filesystem::path free_name(const Session& session, const std::string& endin
                              std::to_string(pixel.x) + "," + std::to_string(pixel.y);
     std::error_code ignored;
     for (int i = 1;; ++i) {
-        const std::filesystem::path path =
-            scene.parent_path() / (stem + (i == 1 ? std::string() : "-" + std::to_string(i)) + ending);
+        std::string name = stem;
+        if (i > 1) name.append("-").append(std::to_string(i));
+        const std::filesystem::path path = scene.parent_path() / name.append(ending);
         if (!std::filesystem::exists(path, ignored) && !session.exports.will_write(path)) return path;
     }
 }

@@ -36,7 +36,7 @@ SheetRow row(std::string name, double value, double half_width, std::string_view
     return out;
 }
 
-SheetRow words(std::string name, std::string value, std::string_view help) {
+SheetRow words(std::string name, const std::string& value, std::string_view help) {
     return {std::move(name), value, {}, value, help};
 }
 

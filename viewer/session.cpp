@@ -179,9 +179,9 @@ void Session::fit_selection() {
     const auto pinned = selection.pinned();
     if (std::erase_if(selection.pins, outside) == 0) return;
     const auto found = pinned ? std::find(selection.pins.begin(), selection.pins.end(), *pinned) : selection.pins.end();
-    selection.current =
-        static_cast<int>(found == selection.pins.end() ? selection.pins.size() : found - selection.pins.begin());
-    if (found == selection.pins.end()) --selection.current;
+    // Without it, the pin before it.
+    const auto index = static_cast<int>(found - selection.pins.begin());
+    selection.current = found == selection.pins.end() ? index - 1 : index;
     selection.node.reset();
 }
 
