@@ -103,6 +103,7 @@ struct Variant {
     Quantity quantity{};
     bool over_intensity = false;
     bool is_reduced = false;  ///< several pixels of the picture under one of the screen
+    friend bool operator==(const Variant&, const Variant&) = default;
     friend bool operator<(const Variant& a, const Variant& b) {
         return std::tie(a.quantity, a.over_intensity, a.is_reduced) <
                std::tie(b.quantity, b.over_intensity, b.is_reduced);
