@@ -20,6 +20,9 @@ namespace pol {
 
 namespace {
 
+/// Small tiles: the first ones of an edited scene are there soon.
+constexpr int tile_size = 16;
+
 bool is_picture(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -65,7 +68,7 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
     }
     auto scene = load_scene(path);
     if (!scene) return scene.error();
-    document->renderer_ = std::make_unique<Renderer>(hardware_threads(), 32, std::move(wake));
+    document->renderer_ = std::make_unique<Renderer>(hardware_threads(), tile_size, std::move(wake));
     if (auto started = document->render(scene.value()); !started) return started.error();
     document->history_ = EditHistory(std::move(scene).value());
     document->watch_files();
@@ -75,7 +78,7 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
 Result<std::unique_ptr<Document>> Document::make(Scene scene, std::string name, std::function<void()> wake) {
     std::unique_ptr<Document> document(new Document);
     document->name_ = std::move(name);
-    document->renderer_ = std::make_unique<Renderer>(hardware_threads(), 32, std::move(wake));
+    document->renderer_ = std::make_unique<Renderer>(hardware_threads(), tile_size, std::move(wake));
     if (auto started = document->render(scene); !started) return started.error();
     document->history_ = EditHistory(std::move(scene));
     document->history_.mark_unsaved();
@@ -242,11 +245,7 @@ Result<Done> Document::redo() {
 
 Result<Done> Document::save(const std::filesystem::path& path) {
     POL_EXPECTS(has_scene());
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
-    const std::string text = save_scene(scene());
-    file.value()->write(text.data(), text.size());
-    if (auto written = file.value()->commit(); !written) return written;
+    if (auto written = write_file(path, save_scene(scene())); !written) return written;
     std::error_code unknown_folder;
     path_ = std::filesystem::absolute(path, unknown_folder).lexically_normal();
     name_ = path_.filename().string();

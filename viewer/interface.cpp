@@ -17,6 +17,7 @@
 #include "viewer/panels/status_line.h"
 #include "viewer/panels/unsaved_dialog.h"
 #include "viewer/panels/view_controls.h"
+#include "viewer/widgets/section.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -67,18 +68,6 @@ float splitter(const char* name, ImVec2 position, ImVec2 size, ImGuiMouseCursor 
         if (ImGui::IsItemActive()) moved = cursor == ImGuiMouseCursor_ResizeEW ? delta.x : delta.y;
     });
     return moved;
-}
-
-/// A section of the left side that can be folded.
-template <class Draw>
-void section(const char* name, const Draw& draw) {
-    const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
-    name_widget(std::string("section ") + name);
-    if (!open) return;
-    ImGui::PushID(name);
-    draw();
-    ImGui::PopID();
-    ImGui::Spacing();
 }
 
 /// A tab whose contents scroll for themselves.

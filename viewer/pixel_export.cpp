@@ -3,23 +3,16 @@
 
 #include <cmath>
 #include <memory>
-#include <system_error>
 
 #include "cli/explain_report.h"
 #include "cli/ray_table.h"
 #include "io/output_file.h"
 #include "io/pixel_case_file.h"
+#include "viewer/exports.h"
 
 namespace pol {
 
 namespace {
-
-Result<Done> write_text(const std::filesystem::path& path, const std::string& text) {
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
-    file.value()->write(text.data(), text.size());
-    return file.value()->commit();
-}
 
 std::string text_in(RayFormat format, const Plan& plan, const Explanation& explanation) {
     switch (format) {
@@ -33,28 +26,21 @@ std::string text_in(RayFormat format, const Plan& plan, const Explanation& expla
     return {};
 }
 
-}  // namespace
-
-std::filesystem::path free_name(const Session& session, const std::string& ending) {
+/// "cube-256,200.csv" where all exports go.
+std::filesystem::path path_for_pixel(const Session& session, const std::string& ending) {
     const PixelAddress pixel = session.selection.pinned().value_or(PixelAddress{});
-    const std::filesystem::path& scene = session.current()->path();
-    const std::string stem = (scene.empty() ? std::string("pixel") : scene.stem().string()) + "-" +
-                             std::to_string(pixel.x) + "," + std::to_string(pixel.y);
-    std::error_code ignored;
-    for (int i = 1;; ++i) {
-        std::string name = stem;
-        if (i > 1) name.append("-").append(std::to_string(i));
-        const std::filesystem::path path = scene.parent_path() / name.append(ending);
-        if (!std::filesystem::exists(path, ignored) && !session.exports.will_write(path)) return path;
-    }
+    const std::string scene = std::filesystem::path(session.current()->name()).stem().string();
+    return free_export_path(session, scene + "-" + std::to_string(pixel.x) + "," + std::to_string(pixel.y), ending);
 }
+
+}  // namespace
 
 void export_rays(Session& session, RayFormat format) {
     constexpr const char* endings[] = {".csv", ".json", ".obj"};
-    const auto path = free_name(session, endings[static_cast<std::size_t>(format)]);
+    const auto path = path_for_pixel(session, endings[static_cast<std::size_t>(format)]);
     session.exports.start("ray states", path,
                           [plan = session.current()->plan(), explanation = session.explanation(), format,
-                           path](ExportProgress&) { return write_text(path, text_in(format, *plan, *explanation)); });
+                           path](ExportProgress&) { return write_file(path, text_in(format, *plan, *explanation)); });
 }
 
 void save_pixel_case(Session& session) {
@@ -72,9 +58,9 @@ void save_pixel_case(Session& session) {
         session.log.add(Severity::error, "this pixel is not a number: nothing that a test could expect");
         return;
     }
-    const auto path = free_name(session, ".case.yaml");
+    const auto path = path_for_pixel(session, ".case.yaml");
     session.exports.start("pixel case", path, [pixel_case = std::move(pixel_case), path](ExportProgress&) {
-        return write_text(path, save_pixel_case(pixel_case));
+        return write_file(path, save_pixel_case(pixel_case));
     });
 }
 

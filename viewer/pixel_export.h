@@ -3,18 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <string>
 
 #include "viewer/session.h"
 
 namespace pol {
 
 enum class RayFormat : std::uint8_t { csv, json, obj };
-
-/// A name beside the scene, or in the current folder for scenes without a file, that does not exist yet:
-/// "cube-256,200.csv", then "cube-256,200-2.csv".
-std::filesystem::path free_name(const Session& session, const std::string& ending);
 
 /// Writes the pinned pixel's tree in the background; the log says where, or why not.
 /// Requires: session.explanation().

@@ -85,11 +85,7 @@ Result<Done> write_preferences(const Preferences& preferences, const fs::path& p
     for (const fs::path& recent : preferences.recent_files) file["recent_files"].push_back(recent.string());
     std::error_code failed;
     fs::create_directories(path.parent_path(), failed);  // if it fails, so does opening the file
-    auto output = OutputFile::create(path);
-    if (!output) return output.error();
-    const std::string text = file.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-    output.value()->write(text.data(), text.size());
-    return output.value()->commit();
+    return write_file(path, file.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 Preferences preferences_of(const Session& session) {

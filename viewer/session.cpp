@@ -185,11 +185,6 @@ void Session::fit_selection() {
     selection.node.reset();
 }
 
-Stokes<double> Session::shown_stokes(std::size_t wavelength, std::size_t pixel) const {
-    const Stokes<double>& s = current()->picture().at(wavelength, pixel);
-    return bench.empty() ? s : bench.mueller() * s;
-}
-
 void Session::pin(PixelAddress pixel) {
     const Document* document = current();
     if (document == nullptr) return;

@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "polarization/stokes.h"
 #include "viewer/bench.h"
 #include "viewer/document.h"
 #include "viewer/explanation.h"
@@ -63,9 +62,6 @@ public:
 
     /// Shows another map; a wavelength that the picture does not have is set to the nearest it has.
     void show(Quantity quantity) { view.quantity = quantity; }
-
-    /// Stokes vector of a pixel of the current picture behind the bench. Requires: current(), indices inside.
-    [[nodiscard]] Stokes<double> shown_stokes(std::size_t wavelength, std::size_t pixel) const;
 
     /// Pins a pixel of the current picture and makes it the current pin. Outside the picture: does nothing.
     void pin(PixelAddress pixel);

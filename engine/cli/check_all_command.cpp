@@ -13,6 +13,7 @@
 #include "cli/report.h"
 #include "cli/report_files.h"
 #include "io/assets.h"
+#include "io/output_file.h"
 #include "io/scene_file.h"
 #include "render/renderer.h"
 #include "verify/convergence.h"
@@ -210,7 +211,7 @@ int run(const AllRequest& request) {
         body += fmt::format("<h2 id=\"chapter{}\">{}</h2>\n<p class=\"{}\">{}</p>\n{}", i, xml_text(chapters[i].title),
                             chapters[i].good ? "good" : "bad", chapters[i].verdict, chapters[i].body);
     const fs::path page = fs::path(request.folder) / "report.html";
-    if (const auto written = write_text(page, verify::html_page("Can polariscope be trusted?", body)); !written)
+    if (const auto written = write_file(page, verify::html_page("Can polariscope be trusted?", body)); !written)
         return report(written.error());
     fmt::print("{}\n", printable(page.string()));
     return good ? 0 : 1;

@@ -15,6 +15,7 @@
 
 #include "cli/check_command.h"
 #include "cli/report.h"
+#include "cli/report_files.h"
 #include "core/nearest_word.h"
 #include "io/output_file.h"
 #include "verify/fact.h"
@@ -149,23 +150,12 @@ std::string commented_scene(const Fact& fact, std::size_t view_index, const std:
 }
 
 int write_scenes(const std::vector<const Fact*>& facts, const fs::path& folder) {
-    std::error_code status;
-    fs::create_directories(folder, status);
-    if (!fs::is_directory(folder, status))
-        return report({ErrorKind::output,
-                       "cannot be made a folder",
-                       Place{folder.string()},
-                       {},
-                       "scenes are written into a folder"});
+    if (const auto made = make_folder(folder); !made) return report(made.error());
     for (const Fact* fact : facts)
         for (std::size_t view = 0; view < fact->views.size(); ++view) {
             const fs::path file = folder / fmt::format("{}-{}.yaml", fact->id, view + 1);
             const std::string text = commented_scene(*fact, view, file.string());
-            auto output = OutputFile::create(file);
-            if (!output) return report(output.error());
-            output.value()->write(text.data(), text.size());
-            const Result<Done> written = output.value()->commit();
-            if (!written) return report(written.error());
+            if (const auto written = write_file(file, text); !written) return report(written.error());
         }
     return 0;
 }

@@ -16,6 +16,7 @@
 #include "cli/report.h"
 #include "cli/report_files.h"
 #include "core/nearest_word.h"
+#include "io/output_file.h"
 #include "verify/stiff.h"
 #include "verify/stiff_report.h"
 
@@ -125,10 +126,10 @@ void print_json(const std::vector<StiffResult>& results) {
 
 Result<Done> write_folder(const fs::path& folder, const std::vector<StiffResult>& results) {
     for (const StiffResult& r : results) {
-        const auto written = write_text(folder / (r.of->name + ".svg"), verify::plot_svg(verify::stiff_plot(r)));
+        const auto written = write_file(folder / (r.of->name + ".svg"), verify::plot_svg(verify::stiff_plot(r)));
         if (!written) return written.error();
     }
-    return write_text(folder / "stiff.html", verify::stiff_page(results));
+    return write_file(folder / "stiff.html", verify::stiff_page(results));
 }
 
 int run(const StiffRequest& request) {

@@ -16,6 +16,7 @@
 #include "cli/report.h"
 #include "cli/report_files.h"
 #include "cli/scene_options.h"
+#include "io/output_file.h"
 #include "render/renderer.h"
 #include "verify/convergence.h"
 #include "verify/convergence_report.h"
@@ -96,9 +97,9 @@ Result<Done> write_report(const verify::ConvergenceRequest& work, const verify::
     const auto pictures = verify::budget_pictures(work, result);
     if (!pictures) return pictures.error();
     for (const verify::NamedPlot& named : verify::convergence_plots(result))
-        if (auto done = write_text(work.folder / (named.name + ".svg"), verify::plot_svg(named.plot)); !done)
+        if (auto done = write_file(work.folder / (named.name + ".svg"), verify::plot_svg(named.plot)); !done)
             return done;
-    return write_text(work.folder / "report.html",
+    return write_file(work.folder / "report.html",
                       verify::html_page("Error against run time: " + work.scene_name,
                                         verify::convergence_section(work, result, pictures.value(), command)));
 }

@@ -50,13 +50,6 @@ Result<int> wavelength_index(const Plan& plan, std::optional<double> asked_nm) {
                  fmt::format("add --wavelengths {}", *asked_nm)};
 }
 
-Result<Done> write_text(const std::string& path, const std::string& text) {
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
-    file.value()->write(text.data(), text.size());
-    return file.value()->commit();
-}
-
 /// What speaks against the files asked for, before anything is traced.
 std::optional<Error> unusable_output(const ExplainRequest& request) {
     if (!request.csv.empty())
@@ -70,10 +63,10 @@ int show(const ExplainRequest& request, const Plan& plan, const Explanation& exp
     fmt::print("{}", request.json ? explanation_as_json(plan, explanation)
                                   : explanation_as_text(plan, explanation, request.least_share));
     if (!request.csv.empty())
-        if (const auto done = write_text(request.csv, ray_table_as_csv(plan, explanation)); !done)
+        if (const auto done = write_file(request.csv, ray_table_as_csv(plan, explanation)); !done)
             return report(done.error());
     if (!request.obj.empty())
-        if (const auto done = write_text(request.obj, paths_as_obj(plan, explanation)); !done)
+        if (const auto done = write_file(request.obj, paths_as_obj(plan, explanation)); !done)
             return report(done.error());
     return explanation.result.failures == 0 && explanation.exact() ? 0 : self_check_failed;
 }

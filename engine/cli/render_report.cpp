@@ -130,11 +130,7 @@ Result<Done> write_statistics(const RenderRequest& request, const Plan& plan, co
     out["error"] = error_json(outcome.progress.film.error);
     if (request.error) out["error_rule"] = error_rule_json(request, outcome);
     out["stop_reason"] = stop_text(outcome);
-    auto file = OutputFile::create(request.statistics);
-    if (!file) return file.error();
-    const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    file.value()->write(text.data(), text.size());
-    return file.value()->commit();
+    return write_file(request.statistics, out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 namespace {

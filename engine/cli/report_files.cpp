@@ -3,16 +3,7 @@
 
 #include <system_error>
 
-#include "io/output_file.h"
-
 namespace pol {
-
-Result<Done> write_text(const std::filesystem::path& path, const std::string& text) {
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
-    file.value()->write(text.data(), text.size());
-    return file.value()->commit();
-}
 
 Result<Done> make_folder(const std::filesystem::path& folder) {
     std::error_code failed;

@@ -156,4 +156,11 @@ Result<Done> OutputFile::commit() {
     return Done{};
 }
 
+Result<Done> write_file(const std::filesystem::path& path, std::string_view text) {
+    auto file = OutputFile::create(path);
+    if (!file) return file.error();
+    file.value()->write(text.data(), text.size());
+    return file.value()->commit();
+}
+
 }  // namespace pol

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "core/result.h"
 
@@ -42,5 +43,8 @@ private:
     std::unique_ptr<Stream> stream_;
     std::uint64_t position_ = 0;
 };
+
+/// Writes the whole file, or leaves the old one. Error as OutputFile.
+Result<Done> write_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace pol

@@ -7,16 +7,15 @@
 #include <map>
 #include <memory>
 
-#include "core/contract.h"
 #include "core/number_text.h"
 #include "io/exr_file.h"
 #include "io/input_file.h"
 #include "io/output_file.h"
 #include "io/scene_hash.h"
 #include "plan/compile.h"
-#include "polarization/measures.h"
 #include "render/renderer.h"
 #include "verify/machine.h"
+#include "verify/picture_parts.h"
 #include "verify/scene_twins.h"
 
 namespace pol::verify {
@@ -29,68 +28,10 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Root mean square of |C|_F over the picture: the unit of fro_c.
-double rms_of_matrix(const StokesImage& image) {
-    double sum = 0.0;
-    for (const Stokes<double>& s : image.stokes) {
-        const double polarized = polarized_part(s);
-        sum += 0.5 * (s.s0 * s.s0 + polarized * polarized);
-    }
-    return image.stokes.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(image.stokes.size()));
-}
-
-/// A bound on the light is a bound on |dC|_F (performance.md 3.3): its root mean square, in the unit of fro_c, is never
-/// below fro_c of the truncation.
-double relative_bound(const StokesImage& image, const StokesImage& reference) {
-    double sum = 0.0;
-    const std::size_t pixels = image.pixel_count();
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
-        for (std::size_t p = 0; p < pixels; ++p) {
-            const double bound =
-                (image.plane_value(image.residual, w, p) + image.plane_value(image.tail, w, p)) * image.brightest[w];
-            sum += bound * bound;
-        }
-    }
-    const double rms = rms_of_matrix(reference);
-    return rms > 0.0 ? std::sqrt(sum / static_cast<double>(image.stokes.size())) / rms : 0.0;
-}
-
-StokesImage mean_of(const StokesImage& a, const StokesImage& b) {
-    StokesImage mean = a;
-    for (std::size_t i = 0; i < mean.stokes.size(); ++i) mean.stokes[i] = 0.5 * (a.stokes[i] + b.stokes[i]);
-    mean.sampling_error.clear();
-    for (std::size_t i = 0; i < mean.residual.size(); ++i) mean.residual[i] = 0.5 * (a.residual[i] + b.residual[i]);
-    if (a.tail.size() == b.tail.size())
-        for (std::size_t i = 0; i < mean.tail.size(); ++i) mean.tail[i] = 0.5 * (a.tail[i] + b.tail[i]);
-    return mean;
-}
-
-/// The wavelengths of `picture` that are in `wavelengths_nm`, in that order. Requires: all are.
-StokesImage at_wavelengths(const StokesImage& picture, const std::vector<double>& wavelengths_nm) {
-    if (picture.wavelengths_nm == wavelengths_nm) return picture;
-    StokesImage part = picture;
-    part.wavelengths_nm = wavelengths_nm;
-    part.stokes.clear();
-    part.residual.clear();
-    part.tail.clear();
-    part.sampling_error.clear();
-    part.brightest.clear();
-    const auto pixels = static_cast<std::ptrdiff_t>(picture.pixel_count());
-    for (const double wavelength : wavelengths_nm) {
-        const auto found = std::find(picture.wavelengths_nm.begin(), picture.wavelengths_nm.end(), wavelength);
-        POL_EXPECTS(found != picture.wavelengths_nm.end());
-        const auto plane = picture.stokes.begin() + (found - picture.wavelengths_nm.begin()) * pixels;
-        part.stokes.insert(part.stokes.end(), plane, plane + pixels);
-    }
-    return part;
-}
-
-/// Samples of an area picture at which truncation is measured: it is the same at more, and costs as much as they do.
-constexpr int few_samples = 4;
-
 struct Shot {
     StokesImage image;
     RenderStatistics statistics{};
+    double trees = 1.0;  ///< per sample: wavelengths that share no tree have their own
     double compile_s = 0.0;
     double wall_s = 0.0;
     double cpu_s = 0.0;
@@ -112,7 +53,6 @@ private:
     Result<Done> measure_rounding();
     Result<Done> find_reference();
     Result<Done> load_rows();
-    Result<Done> store_rows();
     Result<bool> measure_setting(const RunSetting& setting, std::uint64_t seed);
     [[nodiscard]] const RunRow* row_of(const RunSetting& setting, std::uint64_t seed) const;
     bool tell(const std::string& doing);
@@ -182,6 +122,7 @@ Result<std::optional<Shot>> Sweep::shoot(Scene scene, const RenderSettings& sett
     auto plan = compile(scene, kernel);
     if (!plan) return plan.error();
     shot.compile_s = seconds_since(compiling);
+    shot.trees = static_cast<double>(plan.value()->groups.size());
     Renderer renderer(request_.threads);
     const auto start = Clock::now();
     const double cpu_start = cpu_seconds();
@@ -195,7 +136,10 @@ Result<std::optional<Shot>> Sweep::shoot(Scene scene, const RenderSettings& sett
     shot.wall_s = seconds_since(start);
     shot.cpu_s = cpu_seconds() - cpu_start;
     shot.image = renderer.snapshot();
-    shot.statistics = renderer.progress().statistics;
+    const RenderProgress progress = renderer.progress();
+    if (progress.reason == StopReason::memory)
+        return Error{ErrorKind::internal, "there is no memory for this picture", {}, {}, "choose a smaller --size"};
+    shot.statistics = progress.statistics;
     return std::optional(std::move(shot));
 }
 
@@ -297,14 +241,6 @@ Result<Done> Sweep::load_rows() {
     return Done{};
 }
 
-Result<Done> Sweep::store_rows() {
-    auto out = OutputFile::create(file("runs.csv"));
-    if (!out) return out.error();
-    const std::string text = run_table_csv(result_.rows);
-    out.value()->write(text.data(), text.size());
-    return out.value()->commit();
-}
-
 /// The same samples with a far smaller residual: what truncation alone does to a picture.
 Result<const StokesImage*> Sweep::deeper_than(const RenderSettings& settings) {
     const auto found = deeper_.find(settings.samples_per_pixel);
@@ -329,19 +265,12 @@ void Sweep::fill_errors(RunRow& row, const Shot& shot, const RenderSettings& set
     row.failures = static_cast<double>(shot.statistics.failures);
     if (settings.wavelengths_nm.size() > 2)
         row.spectral = color_difference(every_second_wavelength(shot.image), shot.image);
-    if (!first_seed || settings.samples_per_pixel > few_samples) return;
+    if (!first_seed || settings.samples_per_pixel > few_convergence_samples) return;
     const auto deep = deeper_than(settings);
     if (!deep || deep.value() == nullptr) return;
     const StokesImage truth = at_wavelengths(*deep.value(), settings.wavelengths_nm);
     row.truncation = error_metrics(shot.image, truth).fro_c.whole;
-    // The deeper picture lacks something, too: at most its own residual and tail.
-    double slack = 0.0;
-    for (std::size_t w = 0; w < deep.value()->wavelengths_nm.size(); ++w)
-        for (std::size_t p = 0; p < deep.value()->pixel_count(); ++p)
-            slack = std::max(slack, (deep.value()->plane_value(deep.value()->residual, w, p) +
-                                     deep.value()->plane_value(deep.value()->tail, w, p)) *
-                                        deep.value()->brightest[w]);
-    const BoundCoverage coverage = bound_coverage(shot.image, truth, slack + 1e-12 * shot.image.brightest[0]);
+    const BoundCoverage coverage = bound_coverage(shot.image, truth);
     row.bound_fro = relative_bound(shot.image, truth);
     row.bound_mean = coverage.mean;
     row.bound_max = coverage.largest;
@@ -393,7 +322,7 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     row.render_wall_s = best.wall_s;
     row.render_cpu_s = best.cpu_s;
     row.rays = static_cast<double>(best.statistics.nodes);
-    row.nodes_mean = row.rays / static_cast<double>(std::max<std::uint64_t>(1, best.statistics.samples));
+    row.nodes_mean = row.rays / (best.trees * static_cast<double>(std::max<std::uint64_t>(1, best.statistics.samples)));
     row.nodes_max = best.statistics.most_nodes;
     fill_errors(row, best, settings, seed == 0);
     if (stopped_) return false;
@@ -404,14 +333,13 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     previous_[key_of(setting)] = std::move(best.image);
     result_.rows.push_back(std::move(row));
     seconds_[key_of(setting)] = seconds_since(begin);
-    if (auto stored = store_rows(); !stored) return stored.error();
+    if (auto stored = write_file(file("runs.csv"), run_table_csv(result_.rows)); !stored) return stored.error();
     return true;
 }
 
 Result<Done> Sweep::measure_rounding() {
     doing_ = "rounding";
     constexpr int depth = 6;
-    constexpr double same_path = 1e-9;
     const Scene scene = cut_by_depth(request_.scene, depth);
     // A turn that no axis of the world survives.
     const DVec3 x = unit(DVec3(2.0, -1.0, 0.5));
@@ -424,27 +352,7 @@ Result<Done> Sweep::measure_rounding() {
         if (!shot.value()) return Done{};
         images.push_back(std::move(shot.value()->image));
     }
-    RoundingError error;
-    error.pixels = images[0].pixel_count();
-    const double unit_of_error = rms_of_matrix(images[0]);
-    double sum = 0.0;
-    double count = 0.0;
-    for (std::size_t p = 0; p < error.pixels; ++p) {
-        double squares = 0.0;
-        for (std::size_t w = 0; w < images[0].wavelengths_nm.size(); ++w) {
-            const Stokes<double> d = images[1].at(w, p) - images[0].at(w, p);
-            const double polarized = polarized_part(d);
-            squares += 0.5 * (d.s0 * d.s0 + polarized * polarized);
-        }
-        if (squares > same_path * same_path * unit_of_error * unit_of_error) {
-            ++error.other_paths;
-            continue;
-        }
-        sum += squares;
-        count += static_cast<double>(images[0].wavelengths_nm.size());
-    }
-    if (count > 0.0 && unit_of_error > 0.0) error.fro_c = std::sqrt(sum / count) / unit_of_error;
-    result_.rounding = error;
+    result_.rounding = rounding_error(images[0], images[1]);
     return Done{};
 }
 
@@ -476,59 +384,6 @@ Result<ConvergenceResult> Sweep::run() {
 }
 
 }  // namespace
-
-std::vector<RunSetting> convergence_settings(const Scene& scene, bool crystals) {
-    const RenderSettings& base = scene.render;
-    std::vector<RunSetting> list;
-    const auto add = [&](const std::string& series, const auto& change) {
-        RenderSettings settings = base;
-        settings.depth.reset();
-        change(settings);
-        list.push_back({series, settings});
-    };
-    const bool area = base.mode == SampleMode::area;
-    if (area) {
-        for (const double residual : {1e-1, 1e-2, 1e-3})
-            for (const int samples : {1, 4, 16})
-                add("samples at residual " + number_text(residual), [&](RenderSettings& s) {
-                    s.residual = residual;
-                    s.samples_per_pixel = samples;
-                });
-    } else {
-        for (const double residual : {3e-1, 1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4})
-            add("residual", [&](RenderSettings& s) {
-                s.residual = residual;
-                s.samples_per_pixel = 1;
-            });
-    }
-    const int samples = area ? few_samples : 1;
-    if (crystals)
-        for (const int budget : {10, 30, 100, 300, 1000})
-            add("branches", [&](RenderSettings& s) {
-                s.residual = 1e-4;
-                s.node_budget = budget;
-                s.samples_per_pixel = samples;
-            });
-    for (const int depth : {1, 3, 5, 7, 9})
-        add("depth", [&](RenderSettings& s) {
-            s.cut_by_depth_alone(depth);
-            s.samples_per_pixel = samples;
-        });
-    if (base.wavelengths_nm.size() > 4) {
-        std::vector<double> some = base.wavelengths_nm;
-        while (some.size() > 2) {
-            add("wavelengths", [&](RenderSettings& s) {
-                s.wavelengths_nm = some;
-                s.residual = 1e-3;
-                s.samples_per_pixel = samples;
-            });
-            std::vector<double> half;
-            for (std::size_t i = 0; i < some.size(); i += 2) half.push_back(some[i]);
-            some = std::move(half);
-        }
-    }
-    return list;
-}
 
 Result<ConvergenceResult> converge(const ConvergenceRequest& request, const ConvergenceWatch& watch) {
     return Sweep(request, watch).run();

@@ -12,6 +12,7 @@
 #include "core/result.h"
 #include "film/stokes_image.h"
 #include "scene/scene.h"
+#include "verify/rounding_error.h"
 #include "verify/run_table.h"
 
 namespace pol::verify {
@@ -33,14 +34,6 @@ struct ConvergenceRequest {
     std::string tool_version;
 };
 
-/// Floating-point error of whole pictures: against the scene turned in space, which is the same picture in exact
-/// arithmetic. Trees are cut by depth, so that no tie of weights is broken otherwise.
-struct RoundingError {
-    double fro_c = 0.0;           ///< over the pixels of equal paths
-    std::size_t other_paths = 0;  ///< pixels that differ by more than 1e-9: a ray near an edge met the other facet
-    std::size_t pixels = 0;
-};
-
 struct ConvergenceResult {
     std::vector<RunRow> rows;      ///< in the order in which they were made
     std::string reference_id;      ///< how the reference was made, for people
@@ -57,6 +50,10 @@ struct ConvergenceProgress {
     std::string doing;
 };
 using ConvergenceWatch = std::function<bool(const ConvergenceProgress&)>;
+
+/// Samples of an area picture at which truncation is measured, and at which other knobs are turned: truncation is the
+/// same at more, and costs as much as they do.
+inline constexpr int few_convergence_samples = 4;
 
 /// The curves that make sense for the scene: residual (point mode), residual by samples (area mode), depth, node budget
 /// if there are crystals, wavelengths if there are several.

@@ -10,7 +10,6 @@
 #include "maps/color_picture.h"
 #include "maps/color_scale.h"
 #include "plan/compile.h"
-#include "polarization/measures.h"
 #include "render/renderer.h"
 #include "verify/convergence_summary.h"
 #include "verify/html_page.h"
@@ -135,12 +134,8 @@ RgbPicture error_map(const StokesImage& test, const StokesImage& reference) {
     double size = 0.0;
     for (std::size_t w = 0; w < reference.wavelengths_nm.size(); ++w) {
         for (std::size_t p = 0; p < pixels; ++p) {
-            const auto square = [](const Stokes<double>& s) {
-                const double polarized = polarized_part(s);
-                return 0.5 * (s.s0 * s.s0 + polarized * polarized);
-            };
-            squares[p] += square(test.at(w, p) - reference.at(w, p));
-            size += square(reference.at(w, p));
+            squares[p] += frobenius_square(test.at(w, p) - reference.at(w, p));
+            size += frobenius_square(reference.at(w, p));
         }
     }
     RgbPicture picture{reference.width, reference.height, {}};

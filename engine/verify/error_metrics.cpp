@@ -53,6 +53,11 @@ double line_angle(double a, double b) {
 
 }  // namespace
 
+double frobenius_square(const Stokes<double>& s) {
+    const double polarized = polarized_part(s);
+    return 0.5 * (s.s0 * s.s0 + polarized * polarized);
+}
+
 ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference) {
     POL_EXPECTS(test.width == reference.width && test.height == reference.height &&
                 test.stokes.size() == reference.stokes.size());
@@ -77,10 +82,10 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
         const double polarized = polarized_part(r);
         const double linear = linear_part(r);
         const double difference = polarized_part(d);
-        fro_of_reference += 0.5 * (r.s0 * r.s0 + polarized * polarized);
+        fro_of_reference += frobenius_square(r);
         s0_of_reference += r.s0 * r.s0;
         count += 1.0;
-        const double fro_error = std::sqrt(0.5 * (d.s0 * d.s0 + difference * difference));
+        const double fro_error = std::sqrt(frobenius_square(d));
         fro.weigh(fro_error, 1.0);
         fro.list(fro_error);
         s0.weigh(d.s0, 1.0);
@@ -115,20 +120,48 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
     return result;
 }
 
-BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double slack) {
-    POL_EXPECTS(test.stokes.size() == reference.stokes.size() && test.brightest.size() == test.wavelengths_nm.size());
-    const std::size_t pixels = test.pixel_count();
+double matrix_rms(const StokesImage& image) {
+    double sum = 0.0;
+    for (const Stokes<double>& s : image.stokes) sum += frobenius_square(s);
+    return image.stokes.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(image.stokes.size()));
+}
+
+namespace {
+
+/// Bound of the light that a pixel lacks or has too much.
+double bound_of(const StokesImage& image, std::size_t wavelength, std::size_t pixel) {
+    return (image.plane_value(image.residual, wavelength, pixel) + image.plane_value(image.tail, wavelength, pixel)) *
+           image.brightest[wavelength];
+}
+
+}  // namespace
+
+double relative_bound(const StokesImage& image, const StokesImage& reference) {
+    POL_EXPECTS(image.brightest.size() == image.wavelengths_nm.size());
+    double sum = 0.0;
+    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w)
+        for (std::size_t p = 0; p < image.pixel_count(); ++p) sum += std::pow(bound_of(image, w, p), 2);
+    const double rms = matrix_rms(reference);
+    return rms > 0.0 ? std::sqrt(sum / static_cast<double>(image.stokes.size())) / rms : 0.0;
+}
+
+BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference) {
+    POL_EXPECTS(test.stokes.size() == reference.stokes.size() && test.brightest.size() == test.wavelengths_nm.size() &&
+                reference.brightest.size() == reference.wavelengths_nm.size());
+    constexpr double rounding = 1e-11;
+    constexpr double known_better = 0.1;
     BoundCoverage result;
     std::vector<double> ratios;
     std::size_t inside = 0;
     double sum = 0.0;
     for (std::size_t w = 0; w < test.wavelengths_nm.size(); ++w) {
-        for (std::size_t p = 0; p < pixels; ++p) {
-            const double share = test.plane_value(test.residual, w, p) + test.plane_value(test.tail, w, p);
-            const double bound = share * test.brightest[w];
+        for (std::size_t p = 0; p < test.pixel_count(); ++p) {
+            const double bound = bound_of(test, w, p);
+            const double of_reference = bound_of(reference, w, p);
             const double error = std::abs(test.at(w, p).s0 - reference.at(w, p).s0);
-            if (error <= bound + slack) ++inside;
-            if (bound > slack) ratios.push_back(error / bound);
+            if (error <= bound + of_reference + rounding * test.brightest[w]) ++inside;
+            if (bound > 0.0 && of_reference <= known_better * bound) ratios.push_back(error / bound);
+            const double share = test.brightest[w] > 0.0 ? bound / test.brightest[w] : 0.0;
             sum += share;
             result.largest = std::max(result.largest, share);
         }
@@ -157,19 +190,6 @@ double color_difference(const StokesImage& test, const StokesImage& reference) {
         }
     }
     return size > 0.0 ? std::sqrt(difference / size) : 0.0;
-}
-
-StokesImage every_second_wavelength(const StokesImage& picture) {
-    StokesImage result;
-    result.width = picture.width;
-    result.height = picture.height;
-    const auto pixels = static_cast<std::ptrdiff_t>(picture.pixel_count());
-    for (std::size_t w = 0; w < picture.wavelengths_nm.size(); w += 2) {
-        result.wavelengths_nm.push_back(picture.wavelengths_nm[w]);
-        const auto plane = picture.stokes.begin() + static_cast<std::ptrdiff_t>(w) * pixels;
-        result.stokes.insert(result.stokes.end(), plane, plane + pixels);
-    }
-    return result;
 }
 
 }  // namespace pol::verify

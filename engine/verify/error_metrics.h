@@ -57,23 +57,31 @@ inline constexpr std::array<NamedMetric, 6> named_metrics{{{"fro_c", &ErrorMetri
 /// Requires: same size and same number of wavelengths.
 ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference);
 
+/// |C|_F^2 = (S0^2 + |s|^2)/2 of the coherence matrix with these Stokes components.
+double frobenius_square(const Stokes<double>& s);
+
+/// Root mean square of |C|_F over pixels and wavelengths: the unit of fro_c.
+double matrix_rms(const StokesImage& image);
+
+/// What the picture did not trace, bounded: root mean square of (residual + tail) brightest in the unit of the
+/// reference's matrix_rms(), which is never below fro_c of the truncation (performance.md 3.3).
+double relative_bound(const StokesImage& image, const StokesImage& reference);
+
 /// Does the picture's own bound hold the truth, and how tight is it?
 struct BoundCoverage {
-    double covered = 1.0;  ///< share of pixels with |dS0| <= (residual + tail) brightest, 0 to 1
-    double ratio = 0.0;    ///< median of |dS0| / bound over pixels with a bound above `slack`
+    double covered = 1.0;  ///< share of pixels whose error their bounds allow, 0 to 1
+    double ratio = 0.0;    ///< median of |dS0| / bound over pixels whose reference is known ten times better
     double mean = 0.0;     ///< mean bound relative to brightest
     double largest = 0.0;  ///< largest bound relative to brightest
 };
 
-/// `slack`: what the reference itself may be off by, in units of S0, added to every bound. Requires: as error_metrics;
-/// both pictures trace the same samples, so that they differ by what was cut alone.
-BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double slack);
+/// The bound of a pixel is (residual + tail) brightest. Two pictures of the same samples, cut in different ways, can
+/// both be right only if |dS0| is at most the sum of both bounds, and of 1e-11 brightest for rounding (tree_rounding of
+/// some 1e4 branches). Requires: as error_metrics; `brightest` is known in both.
+BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference);
 
 /// sqrt(mean |dRGB|^2 / mean |RGB|^2) of the color pictures (CIE 1931 observer, linear sRGB), whose sets of wavelengths
 /// may differ. Requires: same size.
 double color_difference(const StokesImage& test, const StokesImage& reference);
-
-/// Every second wavelength, first and last included where their number is odd: a nested set.
-StokesImage every_second_wavelength(const StokesImage& picture);
 
 }  // namespace pol::verify

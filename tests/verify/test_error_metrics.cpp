@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "polarization/coherence_matrix.h"
 #include "verify/error_metrics.h"
+#include "verify/picture_parts.h"
 
 namespace pol::verify {
 namespace {
@@ -89,12 +90,18 @@ TEST(ErrorMetrics, NumbersThatAreNoneAreCountedAndLeftOut) {
     EXPECT_EQ(metrics.fro_c.whole, 0.0);
 }
 
-TEST(BoundCoverage, CountsPixelsWhoseErrorExceedsTheirResidual) {
-    StokesImage test = picture_of({{0.95, 0.0, 0.0, 0.0}, {0.80, 0.0, 0.0, 0.0}});
-    test.residual = {0.1, 0.1};
-    const BoundCoverage coverage = bound_coverage(test, picture_of({{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}), 1e-6);
-    EXPECT_EQ(coverage.covered, 0.5);
+// Two pictures can both be right only if their bounds together allow the difference, pixel by pixel: a third pixel
+// whose reference is unknown does not excuse the second.
+TEST(BoundCoverage, CountsPixelsWhoseErrorExceedsBothBounds) {
+    StokesImage test = picture_of({{0.95, 0.0, 0.0, 0.0}, {0.80, 0.0, 0.0, 0.0}, {0.50, 0.0, 0.0, 0.0}});
+    test.residual = {0.1, 0.1, 0.1};
+    StokesImage reference = picture_of({{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}});
+    reference.residual = {0.0, 0.0, 0.0};
+    reference.tail = {0.0, 0.05, 0.9};
+    const BoundCoverage coverage = bound_coverage(test, reference);
+    EXPECT_NEAR(coverage.covered, 2.0 / 3.0, rounding);
     EXPECT_EQ(coverage.largest, 0.1);
+    EXPECT_NEAR(coverage.ratio, 0.5, rounding);  // of the one pixel whose reference is known ten times better
 }
 
 // A nested set keeps both ends of the range; the same light seen at fewer wavelengths has another color.

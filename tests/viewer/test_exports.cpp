@@ -18,9 +18,6 @@ namespace fs = std::filesystem;
 /// The program runs in a folder of its own.
 class Exports : public testing::Test {
 protected:
-    Exports() : home_(fs::current_path()) { fs::current_path(folder / "."); }
-    ~Exports() override { fs::current_path(home_); }
-
     /// Updates the session as frames do until the exports have ended.
     static void wait_for_exports(Session& session) {
         while (!session.exports.idle()) {
@@ -30,10 +27,7 @@ protected:
     }
     static std::string text_of(const fs::path& path) { return read_input_file(path, 1U << 30U).value(); }
 
-    test::TemporaryFolder folder;
-
-private:
-    fs::path home_;
+    test::WorkingFolder folder;
 };
 
 TEST_F(Exports, ASnapshotInMidRenderIsThePictureOnScreen) {

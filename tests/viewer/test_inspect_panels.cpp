@@ -194,7 +194,8 @@ TEST_F(Panels, APictureWithoutASceneSaysSo) {
     PixelPanel pixel;
     const std::string text = shown(pixel);
     expect_says(text, "image right");
-    const Stokes<double> s = session.shown_stokes(0, session.current()->picture().pixel(5, 8));
+    const StokesImage& picture = session.current()->picture();
+    const Stokes<double> s = picture.at(0, picture.pixel(5, 8));
     expect_says(text, short_number(s.s2, 9));
     expect_says(text, "\u00b1 ");  // the file has a residual
     expect_says(text, "Over wavelength");
@@ -230,8 +231,8 @@ TEST_F(Panels, PathsAndTableShowTheNumbersOfTheTree) {
     }
 }
 
-TEST_F(Panels, ExportsAndCasesAreWrittenBesideTheScene) {
-    test::TemporaryFolder folder;
+TEST_F(Panels, ExportsAndCasesGoWhereAllExportsGo) {
+    const test::WorkingFolder folder;
     test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
     ASSERT_TRUE(session.open(folder / "plate.yaml"));
     session.pin({4, 4});

@@ -36,6 +36,18 @@ private:
     std::filesystem::path path_;
 };
 
+/// The program runs in a temporary folder, where its exports go, until the end of the scope.
+class WorkingFolder : public TemporaryFolder {
+public:
+    WorkingFolder() : home_(std::filesystem::current_path()) { std::filesystem::current_path(*this / "."); }
+    ~WorkingFolder() { std::filesystem::current_path(home_); }
+    WorkingFolder(const WorkingFolder&) = delete;
+    WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+private:
+    std::filesystem::path home_;
+};
+
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary | std::ios::trunc);
     file << text;

@@ -24,7 +24,7 @@ void dim_text(const std::string& text) {
 }
 
 void draw_number(const char* name, double value, const std::string& unit) {
-    constexpr int digits = 12;
+    constexpr int digits = 11;  // what fits into a panel of 400 points
     const std::string after = unit.empty() ? "" : " " + unit;
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);

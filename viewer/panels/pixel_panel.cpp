@@ -71,7 +71,7 @@ void draw_convention_choice(Convention& convention) {
 }
 
 void draw_matrix(const PixelSheet& sheet) {
-    constexpr int digits = 5;  // what fits into a panel of 400 points
+    constexpr int digits = 4;  // what fits into a panel of 400 points
     const CoherenceMatrix<double>& j = sheet.matrix;
     const auto& rows = sheet.groups.front().rows;
     const std::string xy = exact_text(j.xy);

@@ -8,23 +8,13 @@
 
 #include "viewer/command_actions.h"
 #include "viewer/panels/scene_sections.h"
+#include "viewer/widgets/section.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
 namespace {
-
-template <class Draw>
-void section(const char* name, const Draw& draw) {
-    const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
-    name_widget(std::string("section ") + name);
-    if (!open) return;
-    ImGui::PushID(name);
-    draw();
-    ImGui::PopID();
-    ImGui::Spacing();
-}
 
 bool button(const char* name, bool enabled, const std::string& hint) {
     ImGui::BeginDisabled(!enabled);
