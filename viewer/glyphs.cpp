@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "maps/evaluate.h"
+#include "polarization/measures.h"
 
 namespace pol {
 
@@ -68,11 +69,9 @@ double glyph_radius(const Glyph& glyph, const GlyphSettings& settings) {
 }
 
 DVec2 field_tip(const Glyph& glyph, double phase) {
-    const double along = std::cos(phase);
-    const double across = -glyph.ellipticity * std::sin(phase);
-    const double c = std::cos(glyph.azimuth);
-    const double s = std::sin(glyph.azimuth);
-    return {c * along - s * across, -(s * along + c * across)};
+    const double chi = std::atan(glyph.ellipticity);
+    const DVec2 tip = field_tip(glyph.azimuth, chi, phase) / std::cos(chi);
+    return {tip.x, -tip.y};
 }
 
 }  // namespace pol

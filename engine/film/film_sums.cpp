@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/contract.h"
+#include "polarization/coherence_matrix.h"
 
 namespace pol {
 
@@ -17,11 +18,6 @@ bool any_nonzero(const auto& values) {
 
 double square(double x) {
     return x * x;
-}
-
-/// ||C||_F^2 of the coherence matrix of a Stokes vector.
-double frobenius_square(const Stokes<double>& s) {
-    return 0.5 * (square(s.s0) + square(s.s1) + square(s.s2) + square(s.s3));
 }
 
 /// h of ErrorSums, component by component. Requires: samples >= 2.

@@ -58,6 +58,12 @@ constexpr Stokes<Real> to_stokes(const CoherenceMatrix<Real>& j) {
     return {j.xx + j.yy, j.xx - j.yy, Real(2) * j.xy.re, Real(2) * j.xy.im};
 }
 
+/// |C|_F^2 = (S0^2 + |(S1, S2, S3)|^2)/2 of the matrix with this Stokes vector: the same in every frame.
+template <class Real>
+constexpr Real frobenius_square(const Stokes<Real>& s) {
+    return (s.s0 * s.s0 + s.s1 * s.s1 + s.s2 * s.s2 + s.s3 * s.s3) / Real(2);
+}
+
 template <class Real>
 constexpr CoherenceMatrix<Real> to_coherence(const Stokes<Real>& s) {
     return {(s.s0 + s.s1) / Real(2), (s.s0 - s.s1) / Real(2), {s.s2 / Real(2), s.s3 / Real(2)}};

@@ -3,11 +3,14 @@
 // (physics.md section 1, "Derived quantities").
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
 
+#include "core/units.h"
+#include "core/vec.h"
 #include "polarization/jones.h"
 #include "polarization/stokes.h"
 
@@ -90,6 +93,23 @@ Measures<Real> measure(const Stokes<Real>& s, const Real& tau = noise_threshold<
     // Adding 0 turns -0 into 0, so that a vertical state is +pi/2 whatever the sign of its zero.
     if (result.has_azimuth) result.azimuth = atan2(s.s2 + Real(0), s.s1) / Real(2);
     return result;
+}
+
+/// Angle between two azimuths as undirected lines, 0 to pi/2.
+inline double line_angle(double a, double b) {
+    const double apart = std::abs(std::remainder(a - b, pi));
+    return std::min(apart, pi - apart);
+}
+
+/// Tip of the field of fully polarized light of power 1 at the phase omega t, Re[E exp(-i omega t)] in the frame (x,
+/// y); phase 0 is an end of the major axis. Right-handed light (chi > 0) turns clockwise for the receiver, who sees y a
+/// quarter turn counter-clockwise from x. Angles in radians.
+inline DVec2 field_tip(double azimuth, double ellipticity_angle, double phase) {
+    const double along = std::cos(ellipticity_angle) * std::cos(phase);
+    const double across = -std::sin(ellipticity_angle) * std::sin(phase);
+    const double c = std::cos(azimuth);
+    const double s = std::sin(azimuth);
+    return {c * along - s * across, s * along + c * across};
 }
 
 /// 1 - P of the incoherent sum of fully polarized fields, with relative accuracy even where it is tiny:

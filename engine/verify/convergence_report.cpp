@@ -10,6 +10,7 @@
 #include "maps/color_picture.h"
 #include "maps/color_scale.h"
 #include "plan/compile.h"
+#include "polarization/coherence_matrix.h"
 #include "render/renderer.h"
 #include "verify/convergence_summary.h"
 #include "verify/html_page.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/units.h"
 #include "polarization/bounds.h"
+#include "polarization/measures.h"
 
 namespace pol::verify {
 
@@ -26,12 +26,6 @@ MeasureBounds<double> bars_with_rounding(const StokesImage& image, std::size_t w
     const double surplus = (image.plane_value(image.tail, wavelength, pixel) + rounding) * brightest;
     const double missing = image.plane_value(image.residual, wavelength, pixel) * brightest + surplus;
     return measure_bounds(image.at(wavelength, pixel), missing, surplus);
-}
-
-/// Angle between two undirected lines.
-double line_angle(double a, double b) {
-    const double d = std::abs(std::remainder(a - b, pi));
-    return std::min(d, pi - d);
 }
 
 }  // namespace

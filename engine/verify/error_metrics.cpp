@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/contract.h"
-#include "core/units.h"
 #include "maps/color_picture.h"
+#include "polarization/coherence_matrix.h"
 #include "polarization/measures.h"
 
 namespace pol::verify {
@@ -45,18 +45,7 @@ private:
     std::vector<double> errors_;
 };
 
-/// Angle between undirected lines at `a` and `b` radians, 0 to pi/2.
-double line_angle(double a, double b) {
-    const double turned = std::abs(a - b);
-    return std::min(turned, pi - turned);
-}
-
 }  // namespace
-
-double frobenius_square(const Stokes<double>& s) {
-    const double polarized = polarized_part(s);
-    return 0.5 * (s.s0 * s.s0 + polarized * polarized);
-}
 
 ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference) {
     POL_EXPECTS(test.width == reference.width && test.height == reference.height &&

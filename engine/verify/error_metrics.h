@@ -57,9 +57,6 @@ inline constexpr std::array<NamedMetric, 6> named_metrics{{{"fro_c", &ErrorMetri
 /// Requires: same size and same number of wavelengths.
 ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference);
 
-/// |C|_F^2 = (S0^2 + |s|^2)/2 of the coherence matrix with these Stokes components.
-double frobenius_square(const Stokes<double>& s);
-
 /// Root mean square of |C|_F over pixels and wavelengths: the unit of fro_c.
 double matrix_rms(const StokesImage& image);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contract.h"
+#include "polarization/coherence_matrix.h"
 #include "verify/error_metrics.h"
 
 namespace pol::verify {

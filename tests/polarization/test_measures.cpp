@@ -209,5 +209,40 @@ TEST(UnpolarizedFraction, AgreesWithTheDegreeOfPolarization) {
     EXPECT_EQ(unpolarized_fraction<double>({}), 0.0);
 }
 
+// A fully polarized field E turns as Re[E exp(-i phase)]; measured through its Stokes vector, the same ellipse is run
+// through in the same sense, from an end of its major axis, which is where E.E exp(-2 i phase) is real and positive.
+TEST(FieldTip, RunsThroughTheEllipseOfTheJonesVectorItWasMeasuredFrom) {
+    const JonesVector<double> fields[] = {{{0.8, 0.0}, {0.3, -0.4}},  {{0.2, 0.5}, {-0.6, 0.1}},
+                                          {{0.6, 0.0}, {0.0, -0.5}},  {{0.6, 0.0}, {0.0, 0.5}},
+                                          {{-0.3, 0.7}, {0.4, 0.45}}, {{0.1, 0.0}, {0.9, 0.2}}};
+    for (const JonesVector<double>& e : fields) {
+        const Stokes<double> s = to_stokes(CoherenceMatrix<double>::outer(e));
+        const Measures<double> m = measure(s);
+        const Complex<double> square = e.x * e.x + e.y * e.y;
+        const double at_major_axis = 0.5 * std::atan2(square.im, square.re);
+        const auto real_field = [&](double phase) {
+            const Complex<double> turn(std::cos(phase), -std::sin(phase));
+            return DVec2((e.x * turn).re, (e.y * turn).re) / std::sqrt(s.s0);
+        };
+        // The azimuth is that of a line: the tip may start at either end.
+        const double sign =
+            dot(field_tip(m.azimuth, m.ellipticity_angle, 0.0), real_field(at_major_axis)) > 0.0 ? 1.0 : -1.0;
+        for (int degree = 0; degree < 360; degree += 15) {
+            const DVec2 expected = real_field(at_major_axis + radians(degree));
+            const DVec2 tip = sign * field_tip(m.azimuth, m.ellipticity_angle, radians(degree));
+            // A few roundings of numbers up to 1; azimuth and angle are good to epsilon over the ellipse's flatness,
+            // 0.1.
+            EXPECT_NEAR(tip.x, expected.x, 1e-14);
+            EXPECT_NEAR(tip.y, expected.y, 1e-14);
+        }
+    }
+}
+
+// 89 and -89 degrees are 2 degrees apart.
+TEST(LineAngle, KnowsNoDirectionOfALine) {
+    EXPECT_NEAR(line_angle(radians(89.0), radians(-89.0)), radians(2.0), 1e-15);
+    EXPECT_NEAR(line_angle(0.0, pi / 2.0), pi / 2.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace pol

@@ -41,10 +41,6 @@ Stopped render_to(Scene scene, double error, int threads = 2) {
     }
 }
 
-double frobenius_square(const Stokes<double>& s) {
-    return 0.5 * (s.s0 * s.s0 + s.s1 * s.s1 + s.s2 * s.s2 + s.s3 * s.s3);
-}
-
 struct Comparison {
     double error = 0.0;   ///< fro_c against the reference
     double spread = 0.0;  ///< relative standard deviation of error^2 / estimate^2, an upper estimate

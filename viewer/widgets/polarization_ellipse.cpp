@@ -14,15 +14,6 @@ namespace {
 
 constexpr int points = 96;
 
-/// Field of light of intensity 1 at the phase omega t, Re[E exp(-i omega t)] with x right and y up.
-ImVec2 field_at(const Measures<double>& m, double phase) {
-    const double along = std::cos(m.ellipticity_angle) * std::cos(phase);
-    const double across = -std::sin(m.ellipticity_angle) * std::sin(phase);
-    const double c = std::cos(m.azimuth);
-    const double s = std::sin(m.azimuth);
-    return {static_cast<float>(c * along - s * across), static_cast<float>(s * along + c * across)};
-}
-
 }  // namespace
 
 void draw_polarization_ellipse(const Measures<double>& seen, float side) {
@@ -39,31 +30,30 @@ void draw_polarization_ellipse(const Measures<double>& seen, float side) {
     draw.AddText({center.x + 3.0F, center.y - radius - ImGui::GetFontSize() * 0.4F}, dim, "y");
     if (!seen.has_light) return;
 
-    const auto place = [&](const ImVec2& e, double share) {
-        const auto r = radius * static_cast<float>(std::sqrt(share));
-        return ImVec2(center.x + r * e.x, center.y - r * e.y);
+    const auto place = [&](const DVec2& e, double share) {
+        const double r = radius * std::sqrt(share);
+        return ImVec2(center.x + static_cast<float>(r * e.x), center.y - static_cast<float>(r * e.y));
     };
+    const auto field_at = [&](double phase) { return field_tip(seen.azimuth, seen.ellipticity_angle, phase); };
     const double unpolarized = std::max(0.0, seen.unpolarized);
     for (int i = 0; i < points; i += 4) {  // half the unpolarized light in any direction: mean radius sqrt(share / 2)
         const double from = 2.0 * pi * i / points;
         const double to = 2.0 * pi * (i + 2) / points;
-        const auto on_circle = [](double a) {
-            return ImVec2(static_cast<float>(std::cos(a)), static_cast<float>(std::sin(a)));
-        };
+        const auto on_circle = [](double a) { return DVec2(std::cos(a), std::sin(a)); };
         draw.AddLine(place(on_circle(from), 0.5 * unpolarized), place(on_circle(to), 0.5 * unpolarized), dim);
     }
     if (!seen.has_polarization) return;
     const double polarized = std::min(1.0, seen.dop);
     std::array<ImVec2, points> outline;
     for (int i = 0; i < points; ++i)
-        outline[static_cast<std::size_t>(i)] = place(field_at(seen, 2.0 * pi * i / points), polarized);
+        outline[static_cast<std::size_t>(i)] = place(field_at(2.0 * pi * i / points), polarized);
     draw.AddPolyline(outline.data(), points, ink, ImDrawFlags_Closed, 2.0F);
     if (seen.handedness == 0) return;
 
     // The field at a quarter of a turn before it comes back to the major axis, and a little later.
     constexpr double phase = -0.25 * pi;
-    const ImVec2 tip = place(field_at(seen, phase + 0.12), polarized);
-    const ImVec2 tail = place(field_at(seen, phase - 0.12), polarized);
+    const ImVec2 tip = place(field_at(phase + 0.12), polarized);
+    const ImVec2 tail = place(field_at(phase - 0.12), polarized);
     const float length = std::hypot(tip.x - tail.x, tip.y - tail.y);
     if (length < 1e-3F) return;
     const ImVec2 along((tip.x - tail.x) / length, (tip.y - tail.y) / length);
