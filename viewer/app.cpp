@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "io/png_file.h"
 #include "viewer/app_probe.h"
 #include "viewer/app_window.h"
 #include "viewer/frame_pacer.h"
@@ -111,6 +112,8 @@ private:
         library_.clear_wake();
         session_.update();
         picture_.upload(session_);
+        // Asked for in a frame before this one, whose menu was still open.
+        const std::filesystem::path wanted = std::exchange(session_.window.picture_of_window, {});
         Frame frame;
         frame.ui_scale = window_.begin_frame();
         frame.picture_texture = texture_;
@@ -122,7 +125,15 @@ private:
         const auto pixels = [ratio](double points) { return std::max(1, static_cast<int>(points * ratio)); };
         texture_ = picture_.render(session_, pixels(frame.viewport.size.x), pixels(frame.viewport.size.y), ratio);
         window_.follow(session_);
-        window_.end_frame();
+        if (wanted.empty())
+            window_.end_frame();
+        else
+            window_.end_frame([&](RgbPicture picture) {
+                session_.exports.start("PNG of the window", wanted,
+                                       [picture = std::move(picture), wanted](ExportProgress& /*progress*/) {
+                                           return write_png(picture, wanted);
+                                       });
+            });
         const double end = library_.now();
         pacer_.drawn(start, end);
         if (ImGui::GetIO().WantTextInput) frame.again(cursor_blink_s);

@@ -187,7 +187,25 @@ double AppWindow::pixel_ratio() const {
     return points > 0 ? static_cast<double>(pixels) / points : 1.0;
 }
 
-void AppWindow::end_frame() {
+namespace {
+
+/// The frame that is about to be shown, rows from the top.
+RgbPicture read_frame(int width, int height) {
+    RgbPicture picture{width, height, {}};
+    picture.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
+    for (int y = 0; y < height / 2; ++y) {  // GL's rows go up
+        const auto row = picture.pixels.begin() + static_cast<std::ptrdiff_t>(y) * width;
+        std::swap_ranges(row, row + width,
+                         picture.pixels.begin() + static_cast<std::ptrdiff_t>(height - 1 - y) * width);
+    }
+    return picture;
+}
+
+}  // namespace
+
+void AppWindow::end_frame(const std::function<void(RgbPicture)>& take) {
     int width = 0;
     int height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
@@ -195,6 +213,7 @@ void AppWindow::end_frame() {
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (take && width > 0 && height > 0) take(read_frame(width, height));
     glfwSwapBuffers(window_);
     pressed_ = false;
     for (const Release& release : std::exchange(released_, {}))

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/result.h"
+#include "maps/colorize.h"
 #include "viewer/app.h"
 #include "viewer/session.h"
 
@@ -58,8 +60,8 @@ public:
     double begin_frame();
     /// Device pixels per logical point.
     [[nodiscard]] double pixel_ratio() const;
-    /// Shows what ImGui has been told since begin_frame().
-    void end_frame();
+    /// Shows what ImGui has been told since begin_frame(); `take` gets the whole window as it is shown, if it is given.
+    void end_frame(const std::function<void(RgbPicture)>& take = {});
 
     /// Follows the session: title, full screen.
     void follow(const Session& session);

@@ -186,4 +186,10 @@ void export_region(Session& session) {
          path](ExportProgress& progress) { return write_region(*lent, marked, bench, path, progress); });
 }
 
+void export_window(Session& session) {
+    const Document* document = session.current();
+    const std::string stem = document != nullptr ? stem_of(*document) : "polariscope";
+    session.window.picture_of_window = free_export_path(session, stem + "-window", ".png");
+}
+
 }  // namespace pol

@@ -28,4 +28,7 @@ void export_map(Session& session);
 /// nothing.
 void export_region(Session& session);
 
+/// Asks for the whole window as it will look in the next frame, menus closed (WindowState::picture_of_window).
+void export_window(Session& session);
+
 }  // namespace pol

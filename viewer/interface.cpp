@@ -131,6 +131,7 @@ void Interface::draw_sheets(Session& session) {
     log_.draw(session);
     palette_.draw(session);
     open_dialog_.draw(session);
+    save_as_dialog_.draw(session);
     draw_unsaved_dialog(session);
 }
 

@@ -14,6 +14,7 @@
 #include "viewer/panels/picture_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
+#include "viewer/panels/save_as_dialog.h"
 #include "viewer/panels/scene_panel.h"
 #include "viewer/panels/space_panel.h"
 #include "viewer/panels/sphere_panel.h"
@@ -51,6 +52,7 @@ private:
     LogPanel log_;
     CommandPalette palette_;
     OpenDialog open_dialog_;
+    SaveAsDialog save_as_dialog_;
     std::optional<Theme> theme_;  // that the style was made for, with theme_scale_
     double theme_scale_ = 0.0;
 };

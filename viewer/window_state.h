@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace pol {
@@ -29,6 +30,7 @@ struct WindowState {
     bool log_visible = false;
     bool palette_visible = false;     ///< commands to type
     bool path_entry_visible = false;  ///< a file name to type
+    bool save_as_visible = false;     ///< a file name for the scene to type
     bool full_screen = false;
     Theme theme = Theme::dark;
     double ui_scale = 0.0;  ///< of fonts and widgets; 0: what the screen says
@@ -37,10 +39,12 @@ struct WindowState {
     bool close_asked = false;    ///< of the current document
     bool fact_to_front = false;  ///< the page of the document's fact; taken by the interface
     std::string to_clipboard;    ///< taken by the interface; empty: nothing
+    /// PNG file that the next frame is wanted as; taken by whoever shows it. Empty: none.
+    std::filesystem::path picture_of_window;
 
     /// A question or an entry is open: keys belong to it.
     [[nodiscard]] bool modal() const {
-        return palette_visible || path_entry_visible || close_asked || quit == Quit::asked;
+        return palette_visible || path_entry_visible || save_as_visible || close_asked || quit == Quit::asked;
     }
 };
 

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <string_view>
 #include <system_error>
 
+#include "viewer/widgets/path_entry.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -18,13 +18,6 @@ namespace pol {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// "~/" is the home folder, as in a shell.
-fs::path path_of(const std::string& typed) {
-    const char* home = std::getenv("HOME");
-    if (home != nullptr && typed.starts_with("~/")) return fs::path(home) / typed.substr(2);
-    return typed;
-}
 
 bool can_be_opened(const fs::path& file) {
     constexpr std::array<std::string_view, 4> endings{".yaml", ".yml", ".json", ".exr"};
@@ -37,7 +30,7 @@ void OpenDialog::look() {
     looked_for_ = typed_;
     refused_.clear();
     matches_.clear();
-    const fs::path wanted = path_of(typed_);
+    const fs::path wanted = typed_path(typed_);
     const std::string beginning = wanted.filename().string();
     const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
     std::error_code failed;
@@ -94,9 +87,9 @@ void OpenDialog::draw(Session& session) {
 
     if (wanted) {
         refused_.clear();
-        if (session.open(path_of(typed_))) {
+        if (session.open(typed_path(typed_))) {
             visible = false;
-            typed_ = (path_of(typed_).parent_path() / "").string();
+            typed_ = (typed_path(typed_).parent_path() / "").string();
         } else {
             refused_ = session.log.lines().back().text;
         }

@@ -30,11 +30,11 @@ void draw_exports(Session& session) {
         name_widget(std::string("export ") + name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
     };
-    button("CSV", RayFormat::csv, "This table, all columns at full precision, beside the scene file");
+    button("CSV", RayFormat::csv, "This table, all columns at full precision");
     ImGui::SameLine();
-    button("JSON", RayFormat::json, "The tree as polariscope explain --json prints it, beside the scene file");
+    button("JSON", RayFormat::json, "The tree as polariscope explain --json prints it");
     ImGui::SameLine();
-    button("OBJ", RayFormat::obj, "The paths as lines in space, grouped by kind, beside the scene file");
+    button("OBJ", RayFormat::obj, "The paths as lines in space, grouped by kind");
 }
 
 }  // namespace
