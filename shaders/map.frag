@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture as maps::evaluate and maps::colorize would have it, one fragment per device pixel of the viewport.
 // After measures.glsl, bounds.glsl and the constants of picture_renderer.cpp: quantity_..., state_..., and what this
-// variant is for: `quantity`, `over_intensity`, `is_reduced`. A software rasterizer runs both sides of every branch, so
+// variant is for: `quantity`, `over_intensity`, `is_difference`, `is_reduced`. A software rasterizer runs both sides of every branch, so
 // one program for all maps would cost as much as all of them.
 
 uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the bench
@@ -9,6 +9,7 @@ uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S
 uniform sampler2D red;           // red of S0, S1, S2, S3 as the color picture weighs them, before the bench
 uniform sampler2D green;
 uniform sampler2D blue;
+uniform sampler2D difference;    // from the reference: value, weight, state, 1 where it is known
 uniform sampler2D scale_colors;  // two rows: linear sRGB, and as it is encoded for the screen
 
 uniform vec2 origin;             // of the picture in the viewport, device pixels, y down
@@ -175,6 +176,23 @@ MapPixel evaluate(Light light) {
     return MapPixel(value, min(1.0, weight), state_defined);
 }
 
+// Of the pixels first <= p <= last the one that differs most: a single wrong pixel must not drown. Not known: state -1.
+MapPixel worst_difference(ivec2 first, ivec2 last) {
+    ivec2 stride = max(ivec2(1), (last - first + 8) / 8);
+    MapPixel worst = empty(-1);
+    for (int y = first.y; y <= last.y; y += stride.y) {
+        for (int x = first.x; x <= last.x; x += stride.x) {
+            vec4 one = texelFetch(difference, ivec2(x, y), 0);
+            if (one.w == 0.0 || worst.state == state_not_a_number) continue;
+            int state = int(one.z);
+            bool is_defect = state == state_not_a_number;
+            bool is_more = state == state_defined && (worst.state != state_defined || abs(one.x) > abs(worst.value));
+            if (worst.state == -1 || is_defect || is_more) worst = MapPixel(one.x, one.y, state);
+        }
+    }
+    return worst;
+}
+
 vec3 srgb_encode(vec3 linear) {
     vec3 inside = clamp(linear, 0.0, 1.0);
     return mix(12.92 * inside, 1.055 * pow(inside, vec3(1.0 / 2.4)) - 0.055, greaterThan(inside, vec3(0.0031308)));
@@ -192,17 +210,16 @@ vec3 scale_color(float t, bool encoded) {
     return texture(scale_colors, vec2((clamp(t, 0.0, 1.0) * (nodes - 1.0) + 0.5) / nodes, encoded ? 0.75 : 0.25)).rgb;
 }
 
+vec3 photograph(vec3 light) {
+    return is_finite(vec4(light, 0.0)) ? srgb_encode(developed(gain * light)) : state_colors[state_not_a_number];
+}
+
 // sRGB of the shown map; `at` in points from the picture's corner.
-vec3 map_color(Light light, ivec2 at) {
-    if (quantity == quantity_color) {
-        bool is_number = is_finite(vec4(light.color, 0.0));
-        return is_number ? srgb_encode(developed(gain * light.color)) : state_colors[state_not_a_number];
-    }
-    MapPixel pixel = evaluate(light);
+vec3 map_color(MapPixel pixel, ivec2 at) {
     if (pixel.state == state_undetermined && (at.x + at.y) / 2 % 4 >= 2) return hatch_dark;
     if (pixel.state != state_defined) return state_colors[pixel.state];
     float t = (pixel.value - low) / (high - low);
-    if (quantity == quantity_intensity) t = developed(vec3(t)).x;
+    if (quantity == quantity_intensity && !is_difference) t = developed(vec3(t)).x;
     if (!is_of_direction) return scale_color(t, true);
     return srgb_encode(mix(ground, scale_color(t, false), fades ? pixel.weight : 1.0));
 }
@@ -215,16 +232,27 @@ void main() {
     if (any(lessThan(p, vec2(0.0))) || any(greaterThanEqual(p, vec2(size)))) return;
 
     Light light;
+    ivec2 first = ivec2(p);
+    ivec2 last = first;
     if (is_reduced) {
         // Pixels whose centers lie under this device pixel: every one of the picture is under exactly one.
-        ivec2 first = max(ivec2(ceil(p - 0.5 / zoom - 0.5)), ivec2(0));
-        ivec2 last = min(ivec2(ceil(p + 0.5 / zoom - 0.5)) - 1, size - 1);
+        first = max(ivec2(ceil(p - 0.5 / zoom - 0.5)), ivec2(0));
+        last = min(ivec2(ceil(p + 0.5 / zoom - 0.5)) - 1, size - 1);
         light = mean_light(first, last);
     } else {
-        light = light_at(ivec2(p));
+        light = light_at(first);
     }
     if (!light.is_sampled) return;
-    vec3 shown = map_color(light, ivec2(p * hatch));
+    vec3 shown;
+    if (quantity == quantity_color) {
+        shown = photograph(light.color);
+    } else if (is_difference) {
+        MapPixel most = worst_difference(first, last);
+        if (most.state < 0) return;
+        shown = map_color(most, ivec2(p * hatch));
+    } else {
+        shown = map_color(evaluate(light), ivec2(p * hatch));
+    }
     if (over_intensity && quantity != quantity_color) {
         vec3 exposed = developed(gain * light.color);
         shown *= srgb_encode(vec3(dot(exposed, vec3(0.2126, 0.7152, 0.0722)))).x;

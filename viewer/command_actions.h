@@ -112,6 +112,7 @@ inline void reset_tone(Session& session) {
     session.view.offset = fresh.offset;
     session.view.gamma = fresh.gamma;
     session.view.range = fresh.range;
+    session.view.difference_range = fresh.difference_range;
     session.view.scale = fresh.scale;
 }
 

@@ -40,6 +40,11 @@ TileRect whole(const StokesImage& picture) {
     return {0, 0, picture.width, picture.height};
 }
 
+/// They give way to the window's thread, so that a frame waits for no tile.
+std::unique_ptr<Renderer> start_workers(std::function<void()> wake) {
+    return std::make_unique<Renderer>(hardware_threads(), tile_size, std::move(wake), true);
+}
+
 /// The files that a scene was read from.
 std::vector<std::filesystem::path> files_of(const Scene& scene) {
     std::vector<std::filesystem::path> files(scene.files.begin(), scene.files.end());
@@ -68,7 +73,7 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
     }
     auto scene = load_scene(path);
     if (!scene) return scene.error();
-    document->renderer_ = std::make_unique<Renderer>(hardware_threads(), tile_size, std::move(wake));
+    document->renderer_ = start_workers(std::move(wake));
     if (auto started = document->render(scene.value()); !started) return started.error();
     document->history_ = EditHistory(std::move(scene).value());
     document->watch_files();
@@ -78,7 +83,7 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
 Result<std::unique_ptr<Document>> Document::make(Scene scene, std::string name, std::function<void()> wake) {
     std::unique_ptr<Document> document(new Document);
     document->name_ = std::move(name);
-    document->renderer_ = std::make_unique<Renderer>(hardware_threads(), tile_size, std::move(wake));
+    document->renderer_ = start_workers(std::move(wake));
     if (auto started = document->render(scene); !started) return started.error();
     document->history_ = EditHistory(std::move(scene));
     document->history_.mark_unsaved();

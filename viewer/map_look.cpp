@@ -6,29 +6,50 @@
 
 namespace pol {
 
+namespace {
+
+/// Zero in the middle, as far to both sides as there are differences.
+MapLook difference_look(const Session& session) {
+    const ViewSettings& view = session.view;
+    const MapSummary& found = session.shown_map.summary();
+    const double largest = std::max(std::abs(found.low), std::abs(found.high));
+    const double reach = largest > 0.0 ? largest : 1.0;
+    return {view.scale.value_or(ColorScale::diverging),
+            view.difference_range[static_cast<std::size_t>(view.quantity)].value_or(MapRange{-reach, reach})};
+}
+
+}  // namespace
+
 MapLook map_look(const Session& session) {
+    if (session.comparison()) return difference_look(session);
     const ViewSettings& view = session.view;
     const MapOptions options{view.style, view.range[static_cast<std::size_t>(view.quantity)], view.exposure};
     return {view.scale.value_or(scale_for(view.quantity, view.style)),
             range_for(view.quantity, options, session.shown_map.summary().high)};
 }
 
+ScaleKind shown_kind(const Session& session) {
+    return session.comparison() ? ScaleKind::diverging : info(session.view.quantity).kind;
+}
+
 namespace {
 
 /// Shown like a photograph: exposure and offset say what is black and what is white.
-bool is_photograph(Quantity quantity) {
-    return quantity == Quantity::color || info(quantity).kind == ScaleKind::gray;
+bool is_photograph(const Session& session) {
+    const ScaleKind kind = shown_kind(session);
+    return kind == ScaleKind::color || kind == ScaleKind::gray;
 }
 
-std::optional<MapRange>& own_range(ViewSettings& view) {
-    return view.range[static_cast<std::size_t>(view.quantity)];
+std::optional<MapRange>& own_range(Session& session) {
+    ViewSettings& view = session.view;
+    return (session.comparison() ? view.difference_range : view.range)[static_cast<std::size_t>(view.quantity)];
 }
 
 }  // namespace
 
 MapRange bar_range(const Session& session) {
     MapRange range = map_look(session).range;
-    if (is_photograph(session.view.quantity)) {
+    if (is_photograph(session)) {
         const double shift = -session.view.offset * (range.high - range.low);
         range.low += shift;
         range.high += shift;
@@ -40,22 +61,22 @@ void set_bar_range(Session& session, const MapRange& range) {
     const double span = range.high - range.low;
     if (!(span > 0.0) || !std::isfinite(span)) return;
     ViewSettings& view = session.view;
-    if (is_photograph(view.quantity)) {
-        own_range(view).reset();
+    if (is_photograph(session)) {
+        own_range(session).reset();
         view.exposure = -std::log2(span);
         view.offset = -range.low / span;
     } else {
-        own_range(view) = range;
+        own_range(session) = range;
     }
 }
 
 void reset_bar_range(Session& session) {
-    own_range(session.view).reset();
-    if (is_photograph(session.view.quantity)) session.view.exposure = session.view.offset = 0.0;
+    own_range(session).reset();
+    if (is_photograph(session)) session.view.exposure = session.view.offset = 0.0;
 }
 
 void fit_bar_range(Session& session) {
-    const ScaleKind kind = info(session.view.quantity).kind;
+    const ScaleKind kind = shown_kind(session);
     if (kind == ScaleKind::cyclic) return;
     const MapSummary& found = session.shown_map.summary();
     MapRange range{found.low, found.high};

@@ -14,6 +14,8 @@ struct MapLook {
 };
 
 MapLook map_look(const Session& session);
+/// Kind of scale on screen: signed for differences, else that of the quantity.
+ScaleKind shown_kind(const Session& session);
 
 /// Values at the two ends of the color bar: the range as seen through the offset. Requires: the map is not `color`.
 MapRange bar_range(const Session& session);

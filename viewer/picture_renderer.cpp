@@ -32,7 +32,7 @@ constexpr Float4 background{0.1F, 0.1F, 0.1F, 1.0F};
 constexpr int scale_nodes = 1025;
 
 // Texture units.
-enum Unit : int { unit_stokes, unit_left_out, unit_red, unit_green, unit_blue, unit_scale };
+enum Unit : int { unit_stokes, unit_left_out, unit_red, unit_green, unit_blue, unit_scale, unit_difference };
 
 /// The enumerations as map.frag names them.
 std::string shader_constants() {
@@ -102,11 +102,12 @@ void write_scale(FloatTexture& texture, ColorScale scale) {
 struct Variant {
     Quantity quantity{};
     bool over_intensity = false;
-    bool is_reduced = false;  ///< several pixels of the picture under one of the screen
+    bool is_difference = false;  ///< minus a reference: worked out in double and uploaded
+    bool is_reduced = false;     ///< several pixels of the picture under one of the screen
     friend bool operator==(const Variant&, const Variant&) = default;
     friend bool operator<(const Variant& a, const Variant& b) {
-        return std::tie(a.quantity, a.over_intensity, a.is_reduced) <
-               std::tie(b.quantity, b.over_intensity, b.is_reduced);
+        return std::tie(a.quantity, a.over_intensity, a.is_difference, a.is_reduced) <
+               std::tie(b.quantity, b.over_intensity, b.is_difference, b.is_reduced);
     }
 };
 
@@ -115,6 +116,7 @@ Result<Program> program_for(const Variant& variant) {
     const std::string chosen = shader_constants() +
                                "const int quantity = " + std::to_string(static_cast<int>(variant.quantity)) +
                                ";\nconst bool over_intensity = " + is(variant.over_intensity) +
+                               ";\nconst bool is_difference = " + is(variant.is_difference) +
                                ";\nconst bool is_reduced = " + is(variant.is_reduced) + ";\n";
     using namespace shader_sources;
     auto program = Program::link({fullscreen_vert()}, {measures_glsl(), bounds_glsl(), chosen, map_frag()});
@@ -126,6 +128,7 @@ Result<Program> program_for(const Variant& variant) {
     program.value().set("green", unit_green);
     program.value().set("blue", unit_blue);
     program.value().set("scale_colors", unit_scale);
+    program.value().set("difference", unit_difference);
     return program;
 }
 
@@ -165,7 +168,8 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     drawn.zoom = to_single(session.transform.scale * pixel_ratio);
     drawn.hatch = to_single(session.transform.scale);
     const bool is_picture = view.quantity == Quantity::color;
-    drawn.variant = {view.quantity, view.over_intensity && !is_picture, drawn.zoom < 1.0F};
+    drawn.variant = {view.quantity, view.over_intensity && !is_picture, session.comparison().has_value(),
+                     drawn.zoom < 1.0F};
     drawn.style = view.style;
     drawn.scale = look.scale;
     drawn.low = to_single(look.range.low);
@@ -213,11 +217,13 @@ struct PictureRenderer::Gpu {
     FloatTexture left_out;
     std::array<FloatTexture, 3> color;
     FloatTexture scale;
+    FloatTexture difference;
 
     // What the textures hold.
     std::optional<std::uint64_t> layout;  ///< none: no picture
     std::size_t wavelength = 0;
     Bench bench;
+    std::optional<std::uint64_t> difference_version;  ///< of the session's shown map; none: no difference
     std::optional<ColorScale> scale_shown;
     /// What the target shows; none: not what the textures hold now.
     std::optional<Drawn> drawn;
@@ -279,6 +285,29 @@ void PictureRenderer::upload(Session& session) {
         for (const TileRect& rect : changes) write_color(rect);
     }
     if (is_new || is_other_light || !changes.empty()) gpu_->drawn.reset();
+    upload_difference(session);
+}
+
+void PictureRenderer::upload_difference(const Session& session) {
+    const ShownMap& map = session.shown_map;
+    if (!session.comparison()) {
+        gpu_->difference_version.reset();
+        return;
+    }
+    if (gpu_->difference_version == map.version()) return;
+    gpu_->difference_version = map.version();
+    gpu_->drawn.reset();
+    const StokesImage& picture = session.current()->picture();
+    std::vector<Float4> floats(picture.pixel_count(), Float4{});
+    // Rows of another map, or not looked at yet, stay unknown.
+    for (int y = 0; y < picture.height && map.values().size() == floats.size(); ++y) {
+        if (!map.knows_row(y)) continue;
+        for (std::size_t pixel = picture.pixel(0, y); pixel <= picture.pixel(picture.width - 1, y); ++pixel)
+            floats[pixel] =
+                to_single(map.values()[pixel], map.weights()[pixel], static_cast<double>(map.states()[pixel]), 1.0);
+    }
+    gpu_->difference.resize(picture.width, picture.height);
+    gpu_->difference.write({0, 0, picture.width, picture.height}, floats);
 }
 
 std::uint32_t PictureRenderer::render(const Session& session, int width, int height, double pixel_ratio) {
@@ -312,6 +341,7 @@ std::uint32_t PictureRenderer::render(const Session& session, int width, int hei
     gpu_->color[1].bind(unit_green);
     gpu_->color[2].bind(unit_blue);
     gpu_->scale.bind(unit_scale);
+    gpu_->difference.bind(unit_difference);
     program.use();
     set_uniforms(program, drawn);
     glBindVertexArray(gpu_->no_vertices.id());

@@ -29,6 +29,7 @@ public:
     std::uint32_t render(const Session& session, int width, int height, double pixel_ratio);
 
 private:
+    void upload_difference(const Session& session);
     struct Gpu;
     explicit PictureRenderer(std::unique_ptr<Gpu> gpu);
     std::unique_ptr<Gpu> gpu_;

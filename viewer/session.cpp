@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "verify/fact.h"
 #include "viewer/twins.h"
@@ -46,12 +49,74 @@ bool Session::open_isotropic_twin() {
         log.add(Severity::error, to_string(twin.error()));
         return false;
     }
-    const std::string name = twin_name(document->name(), "isotropic");
-    if (!open_scene(std::move(twin).value(), name)) return false;
-    log.add(Severity::note, name +
-                                ": every crystal is a glass of its mean permittivity, n\u00b2 = (2 n_o\u00b2 + "
-                                "n_e\u00b2)/3; Up and Down switch between the two");
+    return open_twin(std::move(twin).value(), "isotropic",
+                     "every crystal is a glass of its mean permittivity, n\u00b2 = (2 n_o\u00b2 + n_e\u00b2)/3");
+}
+
+bool Session::open_unpolarized_twin() {
+    const Document* document = current();
+    if (document == nullptr || !document->has_scene()) return false;
+    return open_twin(unpolarized_twin(document->scene()), "unpolarized",
+                     "light is unpolarized again after every surface, as in a renderer without polarization");
+}
+
+bool Session::open_twin(Scene scene, const std::string& kind, const std::string& what_it_is) {
+    Document* original = current();
+    const std::string name = twin_name(original->name(), kind);
+    if (!open_scene(std::move(scene), name)) return false;
+    reference_ = original;
+    if (!view.difference || view.quantity == Quantity::color) toggle_difference();
+    log.add(Severity::note, name + ": " + what_it_is + ". Shown minus " + original->name() +
+                                "; X shows the twin itself, Up and Down switch between the two");
     return true;
+}
+
+void Session::set_reference() {
+    if (current() == nullptr) return;
+    reference_ = current();
+    log.add(Severity::note, reference_->name() + " is the reference; X shows how far other pictures are from it");
+}
+
+Result<Comparison> Session::compare() const {
+    const Document* document = current();
+    const auto refusal = [](std::string what, std::string remedy) {
+        return Error{ErrorKind::usage, std::move(what), {}, {}, std::move(remedy)};
+    };
+    if (document == nullptr || reference_ == nullptr)
+        return refusal("there is no reference to compare with",
+                       "show the picture that others are to be compared with and press Shift+X");
+    if (document == reference_)
+        return refusal(document->name() + " is the reference itself", "Up and Down show the other pictures");
+    const StokesImage& a = document->picture();
+    const StokesImage& b = reference_->picture();
+    if (a.width != b.width || a.height != b.height)
+        return refusal(fmt::format("{} has {} x {} pixels, the reference {} has {} x {}", document->name(), a.width,
+                                   a.height, reference_->name(), b.width, b.height),
+                       "compare pictures of one size");
+    const double nm = a.wavelengths_nm[std::min(view.wavelength, a.wavelengths_nm.size() - 1)];
+    // Files keep wavelengths as decimal texts.
+    constexpr double same_nm = 1e-6;
+    for (std::size_t w = 0; w < b.wavelengths_nm.size(); ++w)
+        if (std::abs(b.wavelengths_nm[w] - nm) <= same_nm) return Comparison{reference_, w};
+    return refusal(fmt::format("the reference {} has no light of {:.6g} nm", reference_->name(), nm),
+                   "choose a wavelength that both pictures have, or render them at the same ones");
+}
+
+std::optional<Comparison> Session::comparison() const {
+    if (!view.difference || view.quantity == Quantity::color) return std::nullopt;
+    const auto found = compare();
+    return found ? std::optional(found.value()) : std::nullopt;
+}
+
+void Session::toggle_difference() {
+    if (comparison()) {
+        view.difference = false;
+    } else if (const auto possible = compare(); !possible) {
+        log.add(Severity::warning, to_string(possible.error()));
+    } else {
+        view.difference = true;
+        if (view.quantity == Quantity::color) show(Quantity::intensity);
+    }
 }
 
 bool Session::adopt(Result<std::unique_ptr<Document>> document) {
@@ -66,6 +131,7 @@ bool Session::adopt(Result<std::unique_ptr<Document>> document) {
 
 void Session::close_document() {
     if (current_ < 0) return;
+    if (current() == reference_) reference_ = nullptr;
     documents_.erase(documents_.begin() + current_);
     current_ = documents_.empty() ? -1 : std::max(0, current_ - 1);
 }
@@ -116,17 +182,25 @@ bool Session::has_unsaved_edits() const {
 void Session::update() {
     exports.report(log);
     follow_files();
-    for (const auto& document : documents_) document->set_resting(document.get() != current());
+    const auto compared = comparison();
+    const auto is_seen = [&](const Document* document) {
+        return document == current() || (compared && document == reference_);
+    };
+    bool grows = false;
+    for (const auto& document : documents_) {
+        document->set_resting(!is_seen(document.get()));
+        if (!is_seen(document.get())) continue;
+        document->update(update_s);
+        grows = grows || (!document->paused() && !document->progress().finished);
+    }
     Document* document = current();
-    if (document != nullptr) document->update(update_s);
     fit_selection();
     ask_for_explanation();
     if (document == nullptr) {
         shown_map.clear();
         return;
     }
-    const bool grows = !document->paused() && !document->progress().finished;
-    shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s);
+    shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s, compared);
     if (!shown_map.complete() && !grows && wake_) wake_();
 }
 

@@ -44,8 +44,26 @@ public:
     /// Shows the next (+1) or previous (-1) document.
     void step_document(int by);
 
-    /// The current scene with glass in place of its crystals (twins.h), as a document of its own.
+    /// The current scene with glass in place of its crystals, or without polarization (twins.h), as a document of its
+    /// own, shown as its difference from the current one.
     bool open_isotropic_twin();
+    bool open_unpolarized_twin();
+
+    // Comparing pictures ---------------------------------------------------------------------------------------------
+
+    /// Makes the current document the one that others are compared with.
+    void set_reference();
+    /// The document that others are compared with, or null.
+    [[nodiscard]] const Document* reference() const { return reference_; }
+    /// Whether the current picture can be held against the reference. Error: why not, and what to do.
+    [[nodiscard]] Result<Comparison> compare() const;
+    /// The comparison on screen; none if no difference is shown: not asked for, not possible, or of color.
+    [[nodiscard]] std::optional<Comparison> comparison() const;
+    /// Shows the difference from the reference, or the map itself again. Of color there is none: it shows the
+    /// intensity's. If it is not possible the log says why.
+    void toggle_difference();
+    /// Brings shown_map up to date. Requires: a document is shown.
+    void finish_shown_map() { shown_map.finish(*current(), view, bench, comparison()); }
 
     /// Acts on the current document and puts an error into the log. True if it was done.
     bool undo();
@@ -96,6 +114,7 @@ private:
     void ask_for_explanation();
     [[nodiscard]] std::optional<ExplanationRequest> wanted_explanation() const;
     bool adopt(Result<std::unique_ptr<Document>> document);
+    bool open_twin(Scene scene, const std::string& kind, const std::string& what_it_is);
     bool logged(const Result<Done>& result);
     void follow_files();
     void fit_selection();
@@ -103,6 +122,7 @@ private:
     std::function<void()> wake_;
     std::vector<std::unique_ptr<Document>> documents_;
     int current_ = -1;
+    Document* reference_ = nullptr;
     ExplanationJob explanation_;
 };
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "maps/color_picture.h"
-#include "spectrum/illuminant.h"
 #include "viewer/shown_picture.h"
 
 namespace pol {
@@ -54,32 +53,31 @@ void ShownMap::restart(const Document& document, const Key& key) {
     known_.assign(static_cast<std::size_t>(picture.height), false);
     values_.assign(picture.pixel_count(), 0.0);
     states_.assign(picture.pixel_count(), PixelState::undetermined);
+    weights_.assign(picture.pixel_count(), 0.0F);
     rows_done_ = 0;
     sweep_cost_s_ = 0.0;
     luminance_weights_.clear();
     for (const Rgb& weight : color_weights(picture.wavelengths_nm)) luminance_weights_.push_back(to_xyz(weight)[1]);
-    const auto d65 = d65_at(picture.wavelengths_nm[key.wavelength]);
-    has_d65_ = static_cast<bool>(d65);
-    d65_ = d65 ? d65.value() : 1.0;
 }
 
-void ShownMap::evaluate_row(const Document& document, const Bench& bench, int y) {
+/// `quantity` is that on screen; none: color.
+void ShownMap::evaluate_row(const Document& document, const Bench& bench, const std::optional<ShownQuantity>& quantity,
+                            int y) {
     const StokesImage& picture = document.picture();
     const ShownPicture shown(picture, bench);
     for (int x = 0; x < picture.width; ++x) {
         const std::size_t pixel = picture.pixel(x, y);
         MapPixel value;
-        if (key_.quantity == Quantity::color) {
+        if (quantity) {
+            value = quantity->at(pixel);
+        } else {
             for (std::size_t w = 0; w < luminance_weights_.size(); ++w)
                 value.value += luminance_weights_[w] * shown.stokes(w, pixel).s0;
             if (!std::isfinite(value.value)) value.state = PixelState::not_a_number;
-        } else if (key_.quantity == Quantity::intensity && !has_d65_) {
-            value.state = PixelState::undefined;
-        } else {
-            value = evaluate_light(shown.light(key_.wavelength, pixel), key_.quantity, d65_);
         }
         values_[pixel] = value.value;
         states_[pixel] = value.state;
+        weights_[pixel] = static_cast<float>(value.weight);
     }
     known_[static_cast<std::size_t>(y)] = true;
 }
@@ -107,10 +105,16 @@ void ShownMap::summarize(int width) {
     ++version_;
 }
 
-bool ShownMap::update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds) {
-    const Key key{document.picture_layout(), view.quantity, view.wavelength, bench};
+bool ShownMap::update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds,
+                      const std::optional<Comparison>& comparison) {
+    Key key{document.picture_layout(), view.quantity, view.wavelength, bench, 0, 0};
     const double start = now_s();
     key_version_ = document.picture_version();
+    if (comparison) {
+        key.reference_layout = comparison->reference->picture_layout();
+        key.reference_wavelength = comparison->wavelength;
+        key_version_ += comparison->reference->picture_version();  // both only grow
+    }
     if (order_.empty() || !(key == key_)) {
         restart(document, key);
         seen_version_ = key_version_;
@@ -122,10 +126,12 @@ bool ShownMap::update(const Document& document, const ViewSettings& view, const 
     }
     if (rows_done_ == order_.size()) return false;
 
+    std::optional<ShownQuantity> quantity;
+    if (view.quantity != Quantity::color) quantity.emplace(document, view, bench, comparison);
     const std::uint64_t version = version_;
     double now = start;
     do {
-        evaluate_row(document, bench, order_[rows_done_]);
+        evaluate_row(document, bench, quantity, order_[rows_done_]);
         ++rows_done_;
         now = now_s();
         // A first look is summed up ever more seldom, a repeated one once: its old rows are still good.
@@ -138,11 +144,12 @@ bool ShownMap::update(const Document& document, const ViewSettings& view, const 
     return version_ != version;
 }
 
-void ShownMap::finish(const Document& document, const ViewSettings& view, const Bench& bench) {
+void ShownMap::finish(const Document& document, const ViewSettings& view, const Bench& bench,
+                      const std::optional<Comparison>& comparison) {
     last_sweep_end_s_ = -std::numeric_limits<double>::infinity();
     constexpr double as_long_as_it_takes = std::numeric_limits<double>::infinity();
-    update(document, view, bench, as_long_as_it_takes);
-    update(document, view, bench, as_long_as_it_takes);
+    update(document, view, bench, as_long_as_it_takes, comparison);
+    update(document, view, bench, as_long_as_it_takes, comparison);
 }
 
 }  // namespace pol

@@ -10,6 +10,7 @@
 #include "maps/evaluate.h"
 #include "viewer/bench.h"
 #include "viewer/document.h"
+#include "viewer/shown_quantity.h"
 #include "viewer/view_settings.h"
 
 namespace pol {
@@ -22,7 +23,8 @@ struct MapSummary {
     double high = 0.0;
 };
 
-/// Values behind the bench, as maps::evaluate has them; of the color picture, the luminance Y (white is 1).
+/// Values behind the bench, as maps::evaluate has them, or how far they are from those of a reference; of the color
+/// picture, the luminance Y (white is 1).
 ///
 /// A million pixels take a good part of a second. So the map is made row by row, spread over frames, and in such an
 /// order that the first rows already stand for the whole. When anything but the picture changes it starts over at once;
@@ -31,9 +33,11 @@ struct MapSummary {
 class ShownMap {
 public:
     /// Works for about `seconds`. Returns true if something changed for the reader.
-    bool update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds);
+    bool update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds,
+                const std::optional<Comparison>& comparison = {});
     /// Brings all pixels up to date.
-    void finish(const Document& document, const ViewSettings& view, const Bench& bench);
+    void finish(const Document& document, const ViewSettings& view, const Bench& bench,
+                const std::optional<Comparison>& comparison = {});
     /// No document is shown.
     void clear();
 
@@ -45,6 +49,8 @@ public:
     /// By pixel; only the value of a `defined` one means anything. Rows not looked at yet are `undetermined`.
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
     [[nodiscard]] const std::vector<PixelState>& states() const { return states_; }
+    /// MapPixel::weight by pixel; 1 for the color picture.
+    [[nodiscard]] const std::vector<float>& weights() const { return weights_; }
     [[nodiscard]] bool knows_row(int y) const { return known_[static_cast<std::size_t>(y)]; }
 
 private:
@@ -53,10 +59,13 @@ private:
         Quantity quantity{};
         std::size_t wavelength = 0;
         Bench bench;
+        std::uint64_t reference_layout = 0;  // 0: no reference
+        std::size_t reference_wavelength = 0;
         friend bool operator==(const Key&, const Key&) = default;
     };
     void restart(const Document& document, const Key& key);
-    void evaluate_row(const Document& document, const Bench& bench, int y);
+    void evaluate_row(const Document& document, const Bench& bench, const std::optional<ShownQuantity>& quantity,
+                      int y);
     void summarize(int width);
 
     Key key_;
@@ -67,9 +76,8 @@ private:
     std::vector<bool> known_;         // by row: evaluated in this sweep or an earlier one with the same key
     std::vector<double> values_;
     std::vector<PixelState> states_;
+    std::vector<float> weights_;
     std::vector<double> luminance_weights_;  // by wavelength, for color
-    double d65_ = 1.0;
-    bool has_d65_ = true;
     MapSummary summary_;
     std::uint64_t version_ = 0;
     double sweep_cost_s_ = 0.0;

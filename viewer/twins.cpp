@@ -89,6 +89,11 @@ Result<Scene> isotropic_twin(const Scene& scene) {
     return twin;
 }
 
+Scene unpolarized_twin(Scene scene) {
+    scene.render.unpolarized = true;
+    return scene;
+}
+
 std::string twin_name(const std::string& name, const std::string& kind) {
     return std::filesystem::path(name).stem().string() + "-" + kind + ".yaml";
 }

@@ -15,6 +15,9 @@ namespace pol {
 /// Error: an index is not known at one of the wavelengths; kind usage if the scene has no crystal.
 Result<Scene> isotropic_twin(const Scene& scene);
 
+/// What a renderer without polarization would show: light is unpolarized again after every surface.
+Scene unpolarized_twin(Scene scene);
+
 /// "calcite.yaml" and "isotropic" give "calcite-isotropic.yaml".
 std::string twin_name(const std::string& name, const std::string& kind);
 

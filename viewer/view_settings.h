@@ -31,7 +31,9 @@ struct ViewSettings {
     std::optional<ColorScale> scale;  ///< instead of the one that style and quantity choose
     /// By quantity: instead of the range of QuantityInfo.
     std::array<std::optional<MapRange>, quantity_count> range{};
-    double exposure = 0.0;        ///< stops; color and intensity
+    bool difference = false;  ///< minus the reference, where the two can be compared (Session::comparison)
+    std::array<std::optional<MapRange>, quantity_count> difference_range{};  ///< by quantity: instead of what is there
+    double exposure = 0.0;                                                   ///< stops; color and intensity
     double offset = 0.0;          ///< added after exposure; color and intensity
     double gamma = 1.0;           ///< value^(1/gamma) after offset, on top of sRGB; color and intensity
     bool over_intensity = false;  ///< the map's color times the picture's lightness

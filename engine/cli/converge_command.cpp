@@ -118,6 +118,7 @@ std::string command_text(const ConvergeRequest& request) {
     add("--node-budget", request.scene.node_budget);
     add("--wavelengths", request.scene.wavelengths);
     add("--seed", request.scene.seed);
+    if (request.scene.unpolarized) text += " --unpolarized";
     add("--threads", request.threads);
     if (!request.reference.empty()) text += " --reference " + request.reference;
     return text + fmt::format(" --seeds {}", request.seeds);

@@ -111,6 +111,7 @@ Result<Done> write_statistics(const RenderRequest& request, const Plan& plan, co
     out["residual_target"] = plan.settings.residual;
     out["depth_limit"] = plan.settings.depth ? Json(*plan.settings.depth) : Json(nullptr);
     out["seed"] = plan.settings.seed;
+    out["unpolarized"] = plan.settings.unpolarized;
     out["t_load_s"] = timing.load_s;
     out["t_render_wall_s"] = outcome.seconds;
     out["t_render_cpu_s"] = timing.render_cpu_s;

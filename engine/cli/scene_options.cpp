@@ -42,6 +42,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
     command.add_option("--wavelengths", options.wavelengths,
                        "Vacuum wavelengths in nm: 580, 450,550,650 or 380:780:20");
     command.add_option("--seed", options.seed, "Seed of the random numbers")->check(seed_problem);
+    command.add_flag("--unpolarized", options.unpolarized,
+                     "Forget polarization at every surface: what a renderer without it would show");
 }
 
 namespace {
@@ -111,6 +113,7 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
         settings.wavelengths_nm = std::move(wavelengths).value();
     }
     if (options.seed) settings.seed = *options.seed;
+    if (options.unpolarized) settings.unpolarized = true;
     // New wavelengths may lie outside an index record.
     if (auto problem = first_problem(scene)) return *problem;
     return scene;

@@ -27,6 +27,7 @@ struct SceneOptions {
     std::optional<int> node_budget;
     std::optional<std::string> wavelengths;
     std::optional<std::uint64_t> seed;
+    bool unpolarized = false;
 };
 
 /// Adds the scene argument and the options above.

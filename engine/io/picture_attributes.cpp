@@ -12,9 +12,10 @@ std::map<std::string, std::string> picture_attributes(const Scene& scene, int sa
     const RenderSettings& s = scene.render;
     return {{"scene", file.filename().string()},
             {"scene_hash", scene_hash(scene)},
-            {"settings", fmt::format("mode={} spp={} residual={} depth={} node_budget={} seed={}",
+            {"settings", fmt::format("mode={} spp={} residual={} depth={} node_budget={} seed={}{}",
                                      s.mode == SampleMode::area ? "area" : "point", samples_per_pixel, s.residual,
-                                     s.depth ? std::to_string(*s.depth) : "none", s.node_budget, s.seed)}};
+                                     s.depth ? std::to_string(*s.depth) : "none", s.node_budget, s.seed,
+                                     s.unpolarized ? " unpolarized" : "")}};
 }
 
 }  // namespace pol

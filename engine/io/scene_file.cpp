@@ -83,7 +83,8 @@ std::vector<double> read_wavelengths(const YamlValue& value) {
 }
 
 RenderSettings read_render(const YamlValue& value) {
-    const YamlMap map = value.map({"size", "wavelengths", "mode", "spp", "residual", "depth", "node_budget", "seed"});
+    const YamlMap map =
+        value.map({"size", "wavelengths", "mode", "spp", "residual", "depth", "node_budget", "seed", "unpolarized"});
     RenderSettings render;
     if (const auto size = map.find("size")) {
         const std::vector<YamlValue> sides = size->list();
@@ -100,6 +101,7 @@ RenderSettings read_render(const YamlValue& value) {
     if (const auto residual = map.find("residual")) render.residual = residual->number();
     if (const auto budget = map.find("node_budget")) render.node_budget = budget->whole();
     if (const auto seed = map.find("seed")) render.seed = seed->natural64();
+    if (const auto unpolarized = map.find("unpolarized")) render.unpolarized = unpolarized->truth();
     return render;
 }
 

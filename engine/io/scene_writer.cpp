@@ -229,7 +229,9 @@ std::string render_text(const RenderSettings& render) {
     text += "  residual: " + number_text(render.residual) + "\n";
     if (render.depth) text += "  depth: " + std::to_string(*render.depth) + "\n";
     text += "  node_budget: " + std::to_string(render.node_budget) + "\n";
-    return text + "  seed: " + std::to_string(render.seed) + "\n";
+    text += "  seed: " + std::to_string(render.seed) + "\n";
+    if (render.unpolarized) text += "  unpolarized: on\n";
+    return text;
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ int hardware_threads();
 class Renderer {
 public:
     /// `wake` is called after every tile or row of the preview that is in the film, and at the end of a job. Smaller
-    /// tiles show something new sooner; the picture does not depend on them.
-    explicit Renderer(int threads, int tile_size = 32, std::function<void()> wake = {});
+    /// tiles show something new sooner; the picture does not depend on them. `background` workers give way to the other
+    /// threads of the program and of the machine.
+    explicit Renderer(int threads, int tile_size = 32, std::function<void()> wake = {}, bool background = false);
     /// Stops and joins.
     ~Renderer();
     Renderer(const Renderer&) = delete;
@@ -71,6 +72,7 @@ private:
     Film film_;
     int tile_size_;
     std::function<void()> wake_;
+    bool background_;
     mutable std::mutex mutex_;  // guards the members below; taken before the film's
     std::condition_variable_any changed_;
     std::shared_ptr<RenderJob> job_;

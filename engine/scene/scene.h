@@ -57,6 +57,7 @@ struct RenderSettings {
     std::optional<int> depth;  ///< the paper's depth limit; none: cut by energy alone
     int node_budget = 1000;    ///< branches a sample may follow before its random tail
     std::uint64_t seed = 0;
+    bool unpolarized = false;  ///< light is unpolarized again after every surface, as renderers without polarization do
     /// The paper's mode: the depth alone cuts the tree. Residual and node budget can be set again afterwards.
     void cut_by_depth_alone(int limit) {
         depth = limit;

@@ -96,6 +96,30 @@ const Node* same_branch(const Branches& branches, const RayTreeNode& child) {
     return nullptr;
 }
 
+/// Light that the branches of `parent` bring to its start. `branches` is scratch.
+CoherenceMatrix<double> light_of_children(const Gathering& g, const RayTree& tree, const RayTreeNode& parent,
+                                          Branches& branches) {
+    CoherenceMatrix<double> sum;
+    if (parent.children.empty()) return sum;
+    repeat_step(g, parent, branches);
+    for (const int index : parent.children) {
+        const RayTreeNode& child = tree.nodes[static_cast<std::size_t>(index)];
+        const Node* branch = same_branch(branches, child);
+        if (child.estimated || branch == nullptr) continue;
+        Throughput step = branch->throughput;
+        step.scale(std::sqrt(kept(parent)));
+        sum += to_coherence(step.gather(*child.arriving));
+    }
+    return sum;
+}
+
+/// The same power without its polarization; a single mode holds all of it in xx.
+CoherenceMatrix<double> depolarized(const CoherenceMatrix<double>& c, WaveKind kind) {
+    const double power = c.xx + c.yy;
+    if (kind != WaveKind::pair) return {power, 0.0, {}};
+    return CoherenceMatrix<double>::unpolarized(power);
+}
+
 /// Children are born after their parents, so one sweep from the back gathers the light. False: not wanted any more.
 bool gather(const Gathering& g, RayTree& tree, const KeepGoing& keep_going) {
     Branches branches;
@@ -105,21 +129,8 @@ bool gather(const Gathering& g, RayTree& tree, const KeepGoing& keep_going) {
         node->share += node->light;
         for (const int child : node->children) node->share += tree.nodes[static_cast<std::size_t>(child)].share;
         if (node->estimated) continue;
-        if (node->reason) {
-            node->arriving = leaf_source(g, *node);
-            continue;
-        }
-        node->arriving.emplace();
-        if (node->children.empty()) continue;
-        repeat_step(g, *node, branches);
-        for (const int index : node->children) {
-            const RayTreeNode& child = tree.nodes[static_cast<std::size_t>(index)];
-            const Node* branch = same_branch(branches, child);
-            if (child.estimated || branch == nullptr) continue;
-            Throughput step = branch->throughput;
-            step.scale(std::sqrt(kept(*node)));
-            *node->arriving += to_coherence(step.gather(*child.arriving));
-        }
+        node->arriving = node->reason ? leaf_source(g, *node) : light_of_children(g, tree, *node, branches);
+        if (g.plan.settings.unpolarized) node->arriving = depolarized(*node->arriving, node->start.wave.kind);
     }
     return true;
 }

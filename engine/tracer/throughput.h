@@ -32,6 +32,16 @@ struct Throughput {
             for (auto& element : row) element = element * factor;
     }
 
+    /// What is left of a matrix of this weight when nothing but the weight is kept: light from here gives the camera
+    /// the same S0 whatever its polarization.
+    [[nodiscard]] static Throughput of_weight(double weight, int mode_count) {
+        const Complex<double> amplitude(std::sqrt(weight));
+        Throughput t;
+        t.m[0][0] = amplitude;
+        t.m[1][mode_count - 1] = amplitude;
+        return t;
+    }
+
     /// Stokes vector at the camera of unpolarized light with S0 = 1 on a pair of modes, or with 1/2 on a single mode.
     [[nodiscard]] Stokes<double> unpolarized() const {
         const double xx = 0.5 * (norm2(m[0][0]) + norm2(m[0][1]));

@@ -204,6 +204,8 @@ private:
     }
 
     void resolve(const Node& node, LeafReason reason) {
+        if (plan_.settings.unpolarized)
+            for (Stokes<double>& s : light_) s = {s.s0, 0.0, 0.0, 0.0};
         for (std::size_t i = 0; i < light_.size(); ++i) sums_[i] += light_[i];
         result_.resolved += node.weight;
         leaf(node, reason, light_);
@@ -264,6 +266,8 @@ private:
             Node& child = children_.node[i];
             child.depth = parent.depth + 1;
             if (child.weight == 0.0) continue;
+            if (plan_.settings.unpolarized)
+                child.throughput = Throughput::of_weight(child.weight, child.wave.mode_count());
             child.id = next_id_++;
             observer_.opened(child, parent.id, interaction_of(i));
             if (!std::isfinite(child.weight)) {

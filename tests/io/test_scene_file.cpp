@@ -282,6 +282,7 @@ TEST(SceneHash, ChangesWithEveryValue) {
         [](Scene& s) { s.render.depth.reset(); },
         [](Scene& s) { s.render.node_budget += 1; },
         [](Scene& s) { s.render.seed += 1; },
+        [](Scene& s) { s.render.unpolarized = true; },
         [](Scene& s) { std::get<TabulatedSpectrum>(s.background.radiance).value[1] = 2.5; },
         [](Scene& s) { s.ambient = ""; },
         [](Scene& s) {

@@ -10,8 +10,10 @@
 
 #include "io/exr_file.h"
 #include "maps/colorize.h"
+#include "maps/difference.h"
 #include "support/egl_context.h"
 #include "viewer/gl/gl.h"
+#include "viewer/map_look.h"
 #include "viewer/picture_renderer.h"
 #include "viewer/shown_picture.h"
 
@@ -79,8 +81,7 @@ protected:
 
     /// What the session shows in a viewport of that size, row 0 at the top.
     RgbPicture drawn(int width, int height, double pixel_ratio = 1.0) {
-        const Document& document = *session_.current();
-        session_.shown_map.finish(document, session_.view, session_.bench);
+        session_.finish_shown_map();
         renderer_->upload(session_);
         glBindTexture(GL_TEXTURE_2D, renderer_->render(session_, width, height, pixel_ratio));
         std::vector<std::array<std::uint8_t, 4>> pixels(static_cast<std::size_t>(width * height));
@@ -139,6 +140,56 @@ TEST_F(Picture, EqualsTheColoredMapForEveryQuantityStyleAndWavelength) {
                 session_.show(about.quantity);
                 expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view));
             }
+        }
+    }
+}
+
+TEST_F(Picture, MinusAReferenceEqualsTheColoredDifferenceOfTheMaps) {
+    session_.set_reference();
+    StokesImage other = known_film();
+    for (std::size_t i = 0; i < other.stokes.size(); ++i)
+        if (i % 4 != 0) other.stokes[i] = {1.1 * other.stokes[i].s0, 0.5 * other.stokes[i].s2, other.stokes[i].s1, 0.0};
+    open(other);
+    for (const Quantity quantity : {Quantity::intensity, Quantity::dop, Quantity::azimuth, Quantity::ellipticity,
+                                    Quantity::s1, Quantity::residual}) {
+        SCOPED_TRACE(std::string(info(quantity).name));
+        session_.show(quantity);
+        session_.view.difference = true;
+        ASSERT_TRUE(session_.comparison());
+        session_.finish_shown_map();
+        const auto a = evaluate(film(), quantity, 0);
+        const auto b = evaluate(session_.reference()->picture(), quantity, 0);
+        Map map = a.value();
+        for (std::size_t i = 0; i < map.pixels.size(); ++i)
+            map.pixels[i] = difference(quantity, a.value().pixels[i], b.value().pixels[i]);
+        MapOptions options;
+        options.scale = ColorScale::diverging;
+        options.range = map_look(session_).range;
+        expect_same(drawn_at_1_to_1(), colorize(map, options).picture);
+    }
+}
+
+// A single wrong pixel among a million equal ones can be seen in the whole picture.
+TEST_F(Picture, MinusAReferenceShowsASinglePixelThatDiffersHoweverSmallItIsDrawn) {
+    StokesImage plain;
+    plain.width = plain.height = 64;
+    plain.wavelengths_nm = {580.0};
+    plain.stokes.assign(plain.pixel_count(), {1.0, 0.25, 0.0, 0.0});
+    open(plain);
+    session_.set_reference();
+    plain.stokes[plain.pixel(37, 22)].s1 = -0.25;
+    open(plain);
+    session_.show(Quantity::s1);
+    session_.view.difference = true;
+    session_.transform = {0.25, {0.0, 0.0}};
+    const RgbPicture picture = drawn(16, 16);
+    const Rgb8 zero = encode(scale_color(ColorScale::diverging, 0.5));
+    const Rgb8 least = encode(scale_color(ColorScale::diverging, 0.0));
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const Rgb8& seen = picture.pixels[static_cast<std::size_t>(16 * y + x)];
+            const Rgb8& expected = x == 37 / 4 && y == 22 / 4 ? least : zero;
+            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], expected[c], 1) << x << " " << y;
         }
     }
 }

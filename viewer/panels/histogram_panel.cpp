@@ -71,7 +71,7 @@ void HistogramPanel::brush(Session& session, const DVec2& origin, const DVec2& s
         const double to = value_at(mouse);
         const MapRange wanted{std::min(brush_from_, to), std::max(brush_from_, to)};
         if (brush_ && brush_->low == wanted.low && brush_->high == wanted.high) return;
-        session.shown_map.finish(*session.current(), session.view, session.bench);
+        session.finish_shown_map();
         session.selection.mark(pixels_in(session.shown_map, wanted));
         brush_ = wanted;
         brush_marks_version_ = session.selection.marked_version;
@@ -126,7 +126,7 @@ void HistogramPanel::count_states(Session& session) {
         const auto state = static_cast<PixelState>(i);
         const std::string text = fmt::format("{}: {} pixels", state_text(state), summary.state[i]);
         if (ImGui::Selectable(text.c_str())) {
-            session.shown_map.finish(*session.current(), session.view, session.bench);
+            session.finish_shown_map();
             session.selection.mark(pixels_of(session.shown_map, state));
         }
         tooltip("Click to mark these pixels.");

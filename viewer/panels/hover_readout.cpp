@@ -22,9 +22,16 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
         return fmt::format("{}  linear sRGB {}  {}  {}{}", place, short_number(reading.color[0], 4),
                            short_number(reading.color[1], 4), short_number(reading.color[2], 4), bench);
     }
+    const double nm = reading.wavelengths[session.view.wavelength].wavelength_nm;
+    if (const auto comparison = session.comparison()) {
+        const ShownQuantity both(*session.current(), session.view, session.bench, comparison);
+        const std::size_t pixel = session.current()->picture().pixel(reading.address.x, reading.address.y);
+        const auto text = [&](const MapPixel& value) { return reading_text(quantity, {value, std::nullopt}); };
+        return fmt::format("{}  {} {} minus {}: {}  {:.6g} nm{}", place, info(quantity).title, text(both.own(pixel)),
+                           text(both.of_reference(pixel)), text(both.at(pixel)), nm, bench);
+    }
     const QuantityReading value = reading.quantity(quantity, session.view.wavelength);
-    return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, reading_text(quantity, value),
-                       reading.wavelengths[session.view.wavelength].wavelength_nm, bench);
+    return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, reading_text(quantity, value), nm, bench);
 }
 
 std::string second_line(const Session& session, const PixelReading& reading) {

@@ -33,6 +33,25 @@ std::string list_title(const QuantityInfo& quantity) {
     }
 }
 
+/// Which picture the others are compared with, and whether the difference is shown.
+void draw_comparison(Session& session) {
+    const Document* reference = session.reference();
+    const auto possible = session.compare();
+    bool is_shown = session.comparison().has_value();
+    if (!possible) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5F * ImGui::GetStyle().Alpha);
+    if (ImGui::Checkbox("minus the reference", &is_shown)) session.toggle_difference();
+    if (!possible) ImGui::PopStyleVar();
+    name_widget("minus the reference");
+    tooltip(possible ? "The shown map minus that of the reference picture (X)."
+                     : (possible.error().what + "; " + possible.error().hint).c_str());
+    if (ImGui::SmallButton("use this")) session.set_reference();
+    name_widget("use as reference");
+    tooltip("Makes the picture on screen the reference (Shift+X).");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", reference != nullptr ? reference->name().c_str() : "no reference yet");
+    if (reference != nullptr) tooltip(reference->name().c_str());
+}
+
 }  // namespace
 
 void MapsPanel::draw(Session& session) {
@@ -51,6 +70,8 @@ void MapsPanel::draw(Session& session) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - key_column);
         ImGui::TextDisabled("%s", name_of(chord).c_str());
     }
+    ImGui::Separator();
+    draw_comparison(session);
 }
 
 }  // namespace pol

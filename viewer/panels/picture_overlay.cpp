@@ -9,10 +9,9 @@
 #include <string>
 
 #include "maps/color_picture.h"
-#include "spectrum/illuminant.h"
 #include "viewer/pixel_sheet.h"
 #include "viewer/reading_text.h"
-#include "viewer/shown_picture.h"
+#include "viewer/shown_quantity.h"
 #include "viewer/widgets/ink.h"
 
 namespace pol {
@@ -38,17 +37,15 @@ TileRect visible_pixels(const Session& session, const DVec2& view) {
 /// What stands inside a pixel: a line per number.
 class PixelLabels {
 public:
-    explicit PixelLabels(const Session& session)
-        : shown_(session.current()->picture(), session.bench),
-          quantity_(session.view.quantity),
-          wavelength_(session.view.wavelength) {
-        const auto& wavelengths = shown_.picture().wavelengths_nm;
-        if (quantity_ == Quantity::color) weights_ = color_weights(wavelengths);
-        if (const auto d65 = d65_at(wavelengths[wavelength_])) d65_ = d65.value();
+    explicit PixelLabels(const Session& session) : shown_(session.current()->picture(), session.bench) {
+        if (session.view.quantity == Quantity::color)
+            weights_ = color_weights(shown_.picture().wavelengths_nm);
+        else
+            quantity_.emplace(*session.current(), session.view, session.bench, session.comparison());
     }
 
     [[nodiscard]] std::string text(std::size_t pixel) const {
-        if (quantity_ == Quantity::color) {
+        if (!quantity_) {
             Rgb color{};
             for (std::size_t w = 0; w < weights_.size(); ++w) {
                 for (std::size_t c = 0; c < 3; ++c) color[c] += weights_[w][c] * shown_.stokes(w, pixel).s0;
@@ -56,18 +53,15 @@ public:
             return fmt::format("{}\n{}\n{}", short_number(color[0], 3), short_number(color[1], 3),
                                short_number(color[2], 3));
         }
-        if (quantity_ == Quantity::intensity && !d65_) return std::string(state_text(PixelState::undefined));
-        const MapPixel value = evaluate_light(shown_.light(wavelength_, pixel), quantity_, d65_.value_or(1.0));
+        const MapPixel value = quantity_->at(pixel);
         if (value.state == PixelState::defined) return short_number(value.value, 3);
         return value.state == PixelState::not_a_number ? "NaN" : value.state == PixelState::undetermined ? "?" : "-";
     }
 
 private:
     ShownPicture shown_;
-    Quantity quantity_;
-    std::size_t wavelength_;
+    std::optional<ShownQuantity> quantity_;  // none: color
     std::vector<Rgb> weights_;
-    std::optional<double> d65_;
 };
 
 void draw_numbers(const Session& session, const ViewRect& viewport, ImDrawList& list) {

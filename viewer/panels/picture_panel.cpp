@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "viewer/camera_moves.h"
+#include "viewer/map_look.h"
 #include "viewer/panels/hover_readout.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
@@ -72,7 +73,7 @@ void PicturePanel::draw(Session& session, Frame& frame) {
     place_picture(session, frame.viewport.size);
     handle_mouse(session, frame.viewport);
     overlay_.draw(session, frame.viewport);
-    if (session.view.quantity == Quantity::azimuth && session.view.style != MapStyle::paper) {
+    if (shown_kind(session) == ScaleKind::cyclic && session.view.style != MapStyle::paper) {
         const DVec2 corner = frame.viewport.origin + frame.viewport.size;
         draw_azimuth_wheel(session, corner - DVec2(wheel_radius + 10.0), wheel_radius);
     }

@@ -68,7 +68,8 @@ void draw_errors(const FilmStatus& film, const ThemeColors& color) {
     if (film.error.sampling)
         entry("sampling", color.text, "sampling \u00b1" + percent(*film.error.sampling) + " (estimated, 68 %)",
               "How far the picture is off because of too few samples: an estimate from two independent halves.");
-    entry("samples", color.text, fmt::format("{:.3g} samples", film.mean_samples), "Per pixel, on average.");
+    entry("samples", color.text, fmt::format("{:.3g} sample{}", film.mean_samples, film.mean_samples == 1.0 ? "" : "s"),
+          "Per pixel, on average.");
 }
 
 /// The last message; a click opens the log, where its further lines (address, remedy) are.

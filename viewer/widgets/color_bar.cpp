@@ -32,7 +32,9 @@ std::string title_of(const Session& session) {
     if (about.quantity == Quantity::color) return std::string(about.title);
     const double nm = session.current()->picture().wavelengths_nm[session.view.wavelength];
     const std::string unit = about.unit.empty() || about.unit == "\u00b0" ? "" : fmt::format(" ({})", about.unit);
-    return fmt::format("{}{}, {:.6g} nm", about.title, unit, nm);
+    const auto comparison = session.comparison();
+    const std::string minus = comparison ? " minus that of " + comparison->reference->name() : "";
+    return fmt::format("{}{}{}, {:.6g} nm", about.title, minus, unit, nm);
 }
 
 /// A box in the colors of the state, hatched if those change from pixel to pixel.
@@ -89,10 +91,12 @@ void draw_scale(ImDrawList& list, ImVec2 at, float width, ColorScale scale) {
     list.AddRect(at, {at.x + width, at.y + bar_thickness}, ImGui::GetColorU32(ImGuiCol_TextDisabled));
 }
 
-void draw_ticks(ImDrawList& list, ImVec2 at, float width, const MapRange& range, const QuantityInfo& about) {
+void draw_ticks(ImDrawList& list, ImVec2 at, float width, const Session& session) {
+    const MapRange range = bar_range(session);
+    const QuantityInfo& about = info(session.view.quantity);
     const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
     const std::string unit(about.unit == "\u00b0" ? about.unit : "");
-    for (const double tick : bar_ticks(range, about.kind)) {
+    for (const double tick : bar_ticks(range, shown_kind(session))) {
         const float x = at.x + width * static_cast<float>((tick - range.low) / (range.high - range.low));
         list.AddLine({x, at.y}, {x, at.y + tick_length}, color);
         const std::string text = short_number(tick, 4) + unit;
@@ -123,9 +127,8 @@ void ColorBar::draw(Session& session, float width) {
     ImGui::InvisibleButton("color bar", {width, bar_thickness + tick_length + ImGui::GetTextLineHeight()},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget("color bar");
-    const QuantityInfo& about = info(session.view.quantity);
-    if (about.kind != ScaleKind::cyclic) edit(session, width);
-    draw_ticks(list, {at.x, at.y + bar_thickness}, width, bar_range(session), about);
+    if (shown_kind(session) != ScaleKind::cyclic) edit(session, width);
+    draw_ticks(list, {at.x, at.y + bar_thickness}, width, session);
 }
 
 void ColorBar::edit(Session& session, float width) {

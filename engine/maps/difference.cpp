@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "maps/difference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.h"
+
+namespace pol {
+
+MapPixel difference(Quantity quantity, const MapPixel& a, const MapPixel& b) {
+    POL_EXPECTS(quantity != Quantity::color);
+    const auto either = [&](PixelState state) { return a.state == state || b.state == state; };
+    for (const PixelState state : {PixelState::not_a_number, PixelState::undetermined})
+        if (either(state)) return {0.0, 0.0, state};
+    if (a.state != PixelState::defined || b.state != PixelState::defined)
+        return {0.0, 0.0, a.state == b.state ? a.state : PixelState::undefined};
+    constexpr double half_turn = 180.0;
+    double by = a.value - b.value;
+    if (quantity == Quantity::azimuth) by = std::remainder(by, half_turn);
+    const QuantityInfo& about = info(quantity);
+    const double range = std::isfinite(about.high) ? about.high - about.low : 0.0;
+    if (std::abs(by) <= pixel_noise * std::max({std::abs(a.value), std::abs(b.value), range})) by = 0.0;
+    return {by, std::min(a.weight, b.weight), PixelState::defined};
+}
+
+}  // namespace pol

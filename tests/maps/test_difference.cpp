@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "maps/difference.h"
+
+namespace pol {
+namespace {
+
+TEST(Difference, OfAzimuthsIsThatOfUndirectedLines) {
+    EXPECT_DOUBLE_EQ(difference(Quantity::azimuth, {89.0}, {-89.0}).value, -2.0);
+    EXPECT_DOUBLE_EQ(difference(Quantity::azimuth, {-60.0}, {75.0}).value, 45.0);
+    EXPECT_DOUBLE_EQ(difference(Quantity::azimuth, {30.0}, {10.0}).value, 20.0);
+    EXPECT_DOUBLE_EQ(difference(Quantity::s1, {0.9}, {-0.9}).value, 1.8);
+}
+
+TEST(Difference, OfEqualLightSummedInAnotherOrderIsZero) {
+    constexpr double ulp = std::numeric_limits<double>::epsilon();
+    EXPECT_EQ(difference(Quantity::intensity, {1e-9 * (1.0 + 4.0 * ulp)}, {1e-9}).value, 0.0);
+    EXPECT_EQ(difference(Quantity::s2, {3.0 * ulp}, {-2.0 * ulp}).value, 0.0);
+    EXPECT_DOUBLE_EQ(difference(Quantity::intensity, {3e-9}, {1e-9}).value, 2e-9);
+    EXPECT_NEAR(difference(Quantity::dop, {0.5 + 1e-9}, {0.5}).value, 1e-9, 2.0 * ulp);
+}
+
+TEST(Difference, IsDefinedWhereBothAreAndFadesWithTheWeaker) {
+    using enum PixelState;
+    const MapPixel a{0.7, 1.0, defined};
+    const MapPixel b{0.4, 0.25, defined};
+    EXPECT_EQ(difference(Quantity::ellipticity, a, b).state, defined);
+    EXPECT_EQ(difference(Quantity::ellipticity, a, b).weight, 0.25);
+    const auto with = [&](PixelState state) { return difference(Quantity::ellipticity, a, {0.0, 0.0, state}).state; };
+    EXPECT_EQ(with(not_a_number), not_a_number);
+    EXPECT_EQ(with(undetermined), undetermined);
+    EXPECT_EQ(with(undefined), undefined);
+    EXPECT_EQ(with(no_light), undefined);
+    EXPECT_EQ(difference(Quantity::dop, {0.0, 0.0, no_light}, {0.0, 0.0, no_light}).state, no_light);
+    EXPECT_EQ(difference(Quantity::dop, {0.0, 0.0, undetermined}, {0.0, 0.0, not_a_number}).state, not_a_number);
+}
+
+}  // namespace
+}  // namespace pol

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// render.unpolarized: what a renderer shows that knows reflectances but no polarization.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/units.h"
+#include "polarization/measures.h"
+#include "support/render_scene.h"
+
+namespace pol {
+namespace {
+
+/// Fresnel's reflectances at the angle, from n = 1 into n.
+struct Reflectances {
+    double s;
+    double p;
+    [[nodiscard]] double mean() const { return 0.5 * (s + p); }
+};
+Reflectances reflectances(double angle, double n) {
+    const double c1 = std::cos(angle);
+    const double c2 = std::sqrt(1.0 - std::pow(std::sin(angle) / n, 2));
+    return {std::pow((c1 - n * c2) / (c1 + n * c2), 2), std::pow((n * c1 - c2) / (n * c1 + c2), 2)};
+}
+
+// A tree of a dozen steps, each of them a handful of roundings of 1.1e-16 of the pixel.
+constexpr double rounding = 1e-14;
+
+/// A lamp of radiance 1 seen by way of two parallel faces of glass at Brewster's angle, whose transmitted light dies.
+constexpr const char* two_mirrors =
+    "camera: {type: orthographic, position: [-3, 2, 0], target: [0, 0, 0], width: 1e-9}\n"
+    "render: {residual: 0}\n"
+    "media: {glass: {index: 1.5, absorption: 1000}}\n"
+    "objects:\n"
+    "  - {name: lower, shape: {box: {size: [2, 1, 2]}}, transform: [{translate: [0, -0.5, 0]}], medium: glass}\n"
+    "  - {name: upper, shape: {box: {size: [2, 1, 2]}}, transform: [{translate: [1.5, 1.5, 0]}], medium: glass}\n"
+    "  - name: lamp\n"
+    "    shape: {rectangle: {size: 30}}\n"
+    "    transform: [{rotate: {axis: [1, 0, 0], angle: -90}}, {translate: [10, -5, 0]}]\n"
+    "    emission: {radiance: 1}\n";
+
+TEST(Unpolarized, TwoMirrorsAtBrewstersAngleReflectHalfOfWhatPolarizationMakesOfThem) {
+    Scene scene = test::scene_of(two_mirrors);
+    const double r_s = reflectances(std::atan(1.5), 1.5).s;
+    EXPECT_NEAR(test::look(scene).s0, 0.5 * r_s * r_s, rounding);
+    scene.render.unpolarized = true;
+    EXPECT_NEAR(test::look(scene).s0, std::pow(0.5 * r_s, 2), rounding);
+}
+
+// Born & Wolf 1.6.4 with one reflectance R for all light: 2m faces without interference pass (1 - R)/(1 + (2m - 1) R).
+TEST(Unpolarized, APileOfPlatesPassesWhatTheMeanReflectanceOfAFaceLetsThrough) {
+    for (const int plates : {1, 2, 3}) {
+        std::string yaml =
+            "camera: {type: orthographic, position: [-3, 0, 1.7320508075688772], target: [0, 0, 0], width: 1e-9}\n"
+            "render: {residual: 1e-9, node_budget: 100000, unpolarized: on}\n"
+            "media: {glass: 1.5}\n"
+            "objects:\n"
+            "  - {name: lamp, shape: {rectangle: {size: 4000}}, transform: [{translate: [0, 0, -10]}], "
+            "emission: {radiance: 1}}\n";
+        for (int i = 0; i < plates; ++i)
+            yaml += "  - {name: plate" + std::to_string(i) +
+                    ", shape: {box: {size: [3000, 3000, 0.5]}}, medium: glass, transform: [{translate: [0, 0, " +
+                    std::to_string(-1 - i) + "]}]}\n";
+        const double angle = radians(60.0);
+        const double r = reflectances(angle, 1.5).mean();
+        const Explanation seen = test::explain_look(test::scene_of(yaml));
+        // The lamp's radiance is 1, so what was not traced, or by one random path, is off by at most its share.
+        const double bound = seen.result.residual + seen.result.tail + rounding;
+        EXPECT_LT(bound, 1e-3);
+        EXPECT_NEAR(seen.sample_light.s0, (1.0 - r) / (1.0 + (2.0 * plates - 1.0) * r), bound) << plates;
+        EXPECT_EQ(polarized_part(seen.sample_light), 0.0);
+    }
+}
+
+class UnpolarizedScene : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Some, UnpolarizedScene,
+                         testing::Values("paper-calcite-unpolarized", "glan-air", "pile-of-plates", "metal-spheres"));
+
+// Light that comes in by a camera ray's tree: the leaves, and the light that is gathered step by step from them.
+TEST_P(UnpolarizedScene, KeepsItsEnergyAndAddsUp) {
+    Scene scene = test::shipped_scene(GetParam());
+    scene.render.unpolarized = true;
+    const auto plan = test::plan_of(scene);
+    const int width = scene.render.width;
+    const int height = scene.render.height;
+    for (const auto& [x, y] :
+         {std::pair{width / 2, height / 2}, {width / 3, height / 2}, {width / 2, 2 * height / 3}}) {
+        const Explanation found = explain(*plan, x, y, 0, 0);
+        EXPECT_TRUE(found.exact());
+        EXPECT_EQ(found.result.failures, 0U);
+        EXPECT_EQ(polarized_part(found.sample_light), 0.0);
+        if (found.result.tail > 0.0) continue;  // what a random path brings is not gathered
+        const auto& root = *found.tree.nodes.front().arriving;
+        EXPECT_NEAR(root.xx + root.yy, found.sample_light.s0, 1e-12 * (1.0 + found.sample_light.s0));
+    }
+}
+
+TEST(Unpolarized, AtNormalIncidenceOnGlassThereIsNothingToForget) {
+    Scene scene = test::scene_of(
+        "camera: {type: orthographic, position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], width: 1e-9}\n"
+        "render: {residual: 1e-12}\n"
+        "media: {glass: 1.5}\n"
+        "background: 1\n"
+        "objects: [{name: plate, shape: {box: {size: 2}}, medium: glass}]\n");
+    const Stokes<double> polarized = test::look(scene);
+    scene.render.unpolarized = true;
+    EXPECT_NEAR(test::look(scene).s0, polarized.s0, rounding);
+}
+
+}  // namespace
+}  // namespace pol
