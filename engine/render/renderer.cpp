@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/renderer.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <new>
@@ -23,9 +20,6 @@ int hardware_threads() {
 
 namespace {
 
-/// A thread of the default niceness gets nine times the time of such a one where they compete.
-constexpr int background_niceness = 10;
-
 FilmLayout film_layout(const Plan& plan, int tile_size) {
     FilmLayout layout;
     layout.width = plan.settings.width;
@@ -42,8 +36,8 @@ FilmLayout film_layout(const Plan& plan, int tile_size) {
 
 }  // namespace
 
-Renderer::Renderer(int threads, int tile_size, std::function<void()> wake, bool background)
-    : tile_size_(tile_size), wake_(std::move(wake)), background_(background) {
+Renderer::Renderer(int threads, int tile_size, std::function<void()> wake, std::function<void()> prepare_worker)
+    : tile_size_(tile_size), wake_(std::move(wake)), prepare_worker_(std::move(prepare_worker)) {
     POL_EXPECTS(threads > 0 && tile_size > 0);
     for (int i = 0; i < threads; ++i)
         workers_.emplace_back([this](const std::stop_token& shutdown) { work(shutdown); });
@@ -159,8 +153,7 @@ void Renderer::render(PassTracer& tracer, const Work& work) {
 }
 
 void Renderer::work(const std::stop_token& shutdown) {
-    // On Linux every thread has a niceness of its own. Where it cannot be had, nothing but promptness is lost.
-    if (background_) setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), background_niceness);
+    if (prepare_worker_) prepare_worker_();
     std::shared_ptr<const Plan> plan;  // of the tracer below
     std::unique_ptr<PassTracer> tracer;
     while (!shutdown.stop_requested()) {

@@ -30,9 +30,10 @@ int hardware_threads();
 class Renderer {
 public:
     /// `wake` is called after every tile or row of the preview that is in the film, and at the end of a job. Smaller
-    /// tiles show something new sooner; the picture does not depend on them. `background` workers give way to the other
-    /// threads of the program and of the machine.
-    explicit Renderer(int threads, int tile_size = 32, std::function<void()> wake = {}, bool background = false);
+    /// tiles show something new sooner; the picture does not depend on them. `prepare_worker`
+    /// is the first thing that every worker does.
+    explicit Renderer(int threads, int tile_size = 32, std::function<void()> wake = {},
+                      std::function<void()> prepare_worker = {});
     /// Stops and joins.
     ~Renderer();
     Renderer(const Renderer&) = delete;
@@ -72,7 +73,7 @@ private:
     Film film_;
     int tile_size_;
     std::function<void()> wake_;
-    bool background_;
+    std::function<void()> prepare_worker_;
     mutable std::mutex mutex_;  // guards the members below; taken before the film's
     std::condition_variable_any changed_;
     std::shared_ptr<RenderJob> job_;
