@@ -42,6 +42,7 @@ void AppProbe::end(const Session& session, const ViewRect& viewport) {
     report["documents"] = session.documents().size();
     if (const Document* document = session.current()) {
         report["document"] = document->path().string();
+        report["dirty"] = document->dirty();
         report["done"] = document->progress().done;
         report["samples"] = document->progress().statistics.samples;
     }

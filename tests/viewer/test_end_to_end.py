@@ -2,8 +2,10 @@
 """The window from end to end, under Xvfb with real clicks and keys. Exit status 77: Xvfb or xdotool is missing."""
 
 import json
+import re
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -56,11 +58,21 @@ class EndToEnd(unittest.TestCase):
     def rendered(self, window):
         window.wait_for(lambda w: w.state.get("done") == 1.0, "the end of the render")
 
-    def explained(self):
-        """Stokes vector of PIXEL as `polariscope explain` has it."""
-        run = subprocess.run([PROGRAM, "explain", self.scene, "--pixel", *map(str, PIXEL), "--wavelength", "580",
+    def explained(self, text=None):
+        """Stokes vector of PIXEL as `polariscope explain` has it; of another scene than the test's if given as text."""
+        scene = self.scene
+        if text is not None:
+            scene = self.folder / "other.yaml"
+            scene.write_text(text)
+        run = subprocess.run([PROGRAM, "explain", scene, "--pixel", *map(str, PIXEL), "--wavelength", "580",
                               "--json"], check=True, capture_output=True, text=True)
         return json.loads(run.stdout)["stokes"]
+
+    def scene_hash(self, scene):
+        statistics = self.folder / "statistics.json"
+        subprocess.run([PROGRAM, "render", scene, "-o", self.folder / "hash.exr", "--stats", statistics], check=True,
+                       capture_output=True)
+        return json.loads(statistics.read_text())["scene_hash"]
 
     def assert_on_screen(self, window, values):
         shown = window.numbers()
@@ -106,6 +118,77 @@ class EndToEnd(unittest.TestCase):
         window.do("key", "ctrl+q")
         self.assertEqual(window.wait(), 0)
         self.assertEqual(window.output, "")
+
+    def test_edit_undo_export_and_reopen(self):
+        window = self.open(self.scene)
+        self.rendered(window)
+        window.key("2")
+        window.click_pixel(*PIXEL)
+        before = self.explained()
+        self.assert_on_screen(window, before)
+
+        window.click("tab Scene")
+        window.type_into("field n of glass", "1.7")
+        self.rendered(window)
+        self.assertTrue(window.state["dirty"])
+        window.click("tab Pixel")
+        self.assert_on_screen(window, self.explained(self.scene.read_text().replace("glass: 1.5", "glass: 1.7")))
+
+        window.key("ctrl+z")
+        self.rendered(window)
+        self.assertFalse(window.state["dirty"])
+        self.assert_on_screen(window, before)
+
+        window.key("ctrl+s", "ctrl+e", "ctrl+shift+e")
+        files = [self.folder / name for name in ("cube.exr", "cube-intensity.png", "cube-window.png")]
+        window.wait_for(lambda w: all(file.exists() for file in files), "the exports")
+        self.assertEqual(files[2].read_bytes()[16:24], struct.pack(">II", 1280, 800))  # width and height of a PNG
+
+        window.key("ctrl+o")
+        window.key("ctrl+a")
+        window.type(str(files[0]))
+        window.key("Return")
+        self.assertEqual(window.state["document"], str(files[0]))
+        self.assert_on_screen(window, before)  # the pixel is still pinned, and now read from the file
+
+    def test_saving_under_another_name(self):
+        window = self.open(self.scene)
+        self.rendered(window)
+        taken = self.folder / "taken.yaml"
+        taken.write_text("not mine")
+        window.key("ctrl+shift+a")
+        self.assertIn("[ Save ]", window.text)
+        window.key("ctrl+a")
+        window.type(str(taken))
+        window.key("Return")
+        self.assertIn("This file exists", window.text)
+        self.assertEqual(taken.read_text(), "not mine")
+        window.key("ctrl+a")
+        window.type(str(self.folder / "mine.yaml"))
+        window.click("button save as")
+        self.assertEqual(window.state["document"], str(self.folder / "mine.yaml"))
+        self.assertNotIn("[ Save ]", window.text)
+        hashes = {self.scene_hash(self.scene), self.scene_hash(self.folder / "mine.yaml")}
+        self.assertEqual(len(hashes), 1)
+
+    def test_the_difference_from_the_twin_is_one_key_away(self):
+        window = self.open(self.scene)
+        self.rendered(window)
+        window.key("2")
+        window.key("shift+i")
+        self.rendered(window)
+        self.assertIn("minus that of cube.yaml", window.text)
+        window.move(*window.place_of_pixel(*PIXEL))
+        window.settle()
+        with_polarization = self.explained()[0]
+        without = self.explained(self.scene.read_text().replace("spp: 1", "spp: 1, unpolarized: on"))[0]
+        self.assertNotAlmostEqual(with_polarization, without, places=4)
+        row = next(line for line in window.text.splitlines() if " minus " in line and "x 30" in line)
+        shown = [float(n) for n in re.findall(r"-?\d+\.\d+(?:e-?\d+)?", row.replace("\u2212", "-"))]
+        self.assertAlmostEqual(shown[0] / shown[1], without / with_polarization, places=4)
+        self.assertAlmostEqual(shown[2], shown[0] - shown[1], places=5)
+        window.key("x")
+        self.assertNotIn("minus that of cube.yaml", window.text)
 
     def test_files_that_cannot_be_opened(self):
         broken = self.folder / "broken.yaml"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random clicks, drags, keys, edits, resizes and broken files on the whole interface, while workers trace: for
-// POL_SOAK_SECONDS (20), from POL_SOAK_SEED (1). What goes wrong is for assertions and sanitizers to find.
+// Random clicks, drags, keys, edits, resizes and broken files on the whole interface, while workers trace and the
+// picture is drawn by EGL: for POL_SOAK_SECONDS (20), from POL_SOAK_SEED (1). What goes wrong is for assertions and
+// sanitizers to find.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -14,14 +15,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <string>
 #include <thread>
 #include <variant>
 #include <vector>
 
+#include "support/egl_context.h"
 #include "viewer/commands.h"
+#include "viewer/gl/gl.h"
 #include "viewer/interface.h"
+#include "viewer/picture_renderer.h"
 #include "viewer/widgets/fonts.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -91,8 +96,10 @@ public:
             io.KeyMap[key] = place;
         load_fonts(1.0);
         io.Fonts->Build();
+        if (context_.problem().empty()) picture_ = PictureRenderer::create().value();
     }
     ~Monkey() {
+        picture_.reset();
         ImGui::DestroyContext();
         fs::current_path(fs::temp_directory_path());
         fs::remove_all(folder_);
@@ -111,6 +118,8 @@ public:
     }
 
     [[nodiscard]] std::uint64_t frames() const { return frames_; }
+    /// Why the picture cannot be drawn; empty: it can.
+    [[nodiscard]] const std::string& problem() const { return context_.problem(); }
 
 private:
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
@@ -121,10 +130,14 @@ private:
         io.UserData = &widgets_;
         widgets_.rects.clear();
         session_.update();
+        picture_->upload(session_);
         ImGui::NewFrame();
         Frame frame;
         interface_.draw(session_, frame);
         ImGui::Render();
+        picture_->render(session_, std::max(1, static_cast<int>(frame.viewport.size.x)),
+                         std::max(1, static_cast<int>(frame.viewport.size.y)), 1.0);
+        ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
         io.MouseWheel = 0.0F;
         ++frames_;
         if (session_.current() != nullptr && session_.window.panels_visible) {
@@ -236,6 +249,8 @@ private:
     }
     void write_scene(const std::string& text) { std::ofstream(scene_ = folder_ / "soak.yaml") << text; }
 
+    EglContext context_;
+    std::unique_ptr<PictureRenderer> picture_;
     std::mt19937_64 random_;
     fs::path folder_;
     fs::path scene_;
@@ -249,6 +264,7 @@ TEST(Soak, SurvivesAUserWhoDoesAnything) {
     const double length = number_from("POL_SOAK_SECONDS", 20.0);
     const auto seed = static_cast<std::uint64_t>(number_from("POL_SOAK_SEED", 1.0));
     Monkey monkey(seed);
+    ASSERT_EQ(monkey.problem(), "");
     const double begin = seconds();
     double settled_mib = 0.0;  // after a third, when fonts, caches and buffers have their size
     std::uint64_t acts = 0;

@@ -141,6 +141,14 @@ class Window:
         self.do("click", 1)
         self.settle()
 
+    def type_into(self, widget, text):
+        """Ctrl+click makes a text entry of a slider or drag field, all of it marked."""
+        self.do("keydown", "ctrl")
+        self.click(widget)
+        self.do("keyup", "ctrl")
+        self.type(text)
+        self.key("Return")
+
     def click(self, widget):
         if widget not in self.state["widgets"]:
             raise KeyError(f"no widget '{widget}' among {sorted(self.state['widgets'])}")

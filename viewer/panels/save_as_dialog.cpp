@@ -50,13 +50,18 @@ void SaveAsDialog::draw(Session& session) {
     ImGui::SetNextWindowSize({44.0F * em, 0.0F});
     if (!ImGui::BeginPopupModal(name, &visible, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
     log_window();
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    // Enter takes the keyboard from the entry; a refused name is to be corrected.
+    if (ImGui::IsWindowAppearing() || was_refused_) ImGui::SetKeyboardFocusHere();
+    was_refused_ = false;
     ImGui::SetNextItemWidth(-6.0F * em);
     bool wanted = ImGui::InputTextWithHint("##path", "scene.yaml", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     wanted |= ImGui::Button("Save", {-1.0F, 0.0F});
     name_widget("button save as");
-    if (wanted) save(session);
+    if (wanted) {
+        save(session);
+        was_refused_ = visible;
+    }
     if (!complaint_.empty()) {
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextColored(colors(session.window.theme).warning, "%s", complaint_.c_str());

@@ -18,6 +18,7 @@ private:
     void save(Session& session);
 
     std::string typed_;
+    bool was_refused_ = false;          // in the last frame
     std::string complaint_;             // why nothing was written
     std::filesystem::path to_replace_;  // asked about: the next press replaces it
 };

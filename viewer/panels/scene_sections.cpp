@@ -292,15 +292,8 @@ void draw_render_section(EditForm& form, std::string& wavelengths) {
     form.complaint("depth limit");
     if (render.depth) form.whole("depth", *render.depth, 0.1F, "Surfaces that a ray may meet.");
     form.whole("branch budget", render.node_budget, 10.0F, "Branches that a sample may follow before its random tail.");
-    if (ImGui::Checkbox("forget polarization", &render.unpolarized)) {
-        form.apply("forget polarization");
-        return;
-    }
-    name_widget("field forget polarization");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Light is unpolarized again after every surface: what a renderer without polarization shows.");
-    form.complaint("forget polarization");
+    form.flag("forget polarization", render.unpolarized,
+              "Light is unpolarized again after every surface: what a renderer without polarization shows.");
 }
 
 }  // namespace pol
