@@ -81,6 +81,7 @@ private:
     /// Signals and watched files are looked at so often while nothing happens.
     static constexpr double longest_sleep_s = 0.25;
     static constexpr double cursor_blink_s = 0.4;
+    static constexpr double export_progress_s = 0.2;
 
     void obey(int signal) {
         if (signal != SIGUSR1) {
@@ -137,6 +138,7 @@ private:
         const double end = library_.now();
         pacer_.drawn(start, end);
         if (ImGui::GetIO().WantTextInput) frame.again(cursor_blink_s);
+        if (!session_.exports.idle()) frame.again(export_progress_s);
         if (frame.redraw_in < 1e9) pacer_.animate(end, frame.redraw_in);
         if (probe_ != nullptr) probe_->note_frame(end - start, input_at_ ? end - *input_at_ : 0.0);
         input_at_.reset();

@@ -107,7 +107,7 @@ void Interface::draw_left(Session& session) {
     section("Bench", [&] { draw_bench_panel(session); });
 }
 
-void Interface::draw_tabs(Session& session, Frame& /*frame*/, Stack stack) {
+void Interface::draw_tabs(Session& session, Stack stack) {
     if (!ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) return;
     const bool upper = stack != Stack::lower;
     const bool lower = stack != Stack::upper;
@@ -157,10 +157,10 @@ void Interface::draw(Session& session, Frame& frame) {
         const bool two = height >= two_stacks_height * scale;
         const float upper = two ? std::floor(height * static_cast<float>(state.layout.upper_share)) : height;
         part("Right", {right_x, top}, {widths.right, upper},
-             [&] { draw_tabs(session, frame, two ? Stack::upper : Stack::all); });
+             [&] { draw_tabs(session, two ? Stack::upper : Stack::all); });
         if (two) {
             part("Right below", {right_x, top + upper + bar}, {widths.right, height - upper - bar},
-                 [&] { draw_tabs(session, frame, Stack::lower); });
+                 [&] { draw_tabs(session, Stack::lower); });
             const float moved =
                 splitter("splitter right", {right_x, top + upper}, {widths.right, bar}, ImGuiMouseCursor_ResizeNS);
             state.layout.upper_share = std::clamp(state.layout.upper_share + moved / height, 0.15, 0.85);

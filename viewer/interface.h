@@ -36,7 +36,7 @@ private:
     enum class Stack : std::uint8_t { all, upper, lower };
 
     void draw_left(Session& session);
-    void draw_tabs(Session& session, Frame& frame, Stack stack);
+    void draw_tabs(Session& session, Stack stack);
     void draw_sheets(Session& session);
 
     MapsPanel maps_;

@@ -72,6 +72,16 @@ void draw_errors(const FilmStatus& film, const ThemeColors& color) {
           "Per pixel, on average.");
 }
 
+/// The file that is being written, and how many wait for it.
+void draw_export(const ExportQueue& exports, const ThemeColors& color) {
+    const auto running = exports.running();
+    if (running.empty()) return;
+    std::string text = fmt::format("writing {}, {:.0f} %", running.front().path.filename().string(),
+                                   100.0 * running.front().progress);
+    if (running.size() > 1) text += fmt::format(" (+{})", running.size() - 1);
+    entry("export", color.text, text, "Files are written in the background; quitting waits for them.");
+}
+
 /// The last message; a click opens the log, where its further lines (address, remedy) are.
 void draw_message(Session& session) {
     const std::vector<LogLine>& lines = session.log.lines();
@@ -104,6 +114,7 @@ void draw_status_line(Session& session) {
             entry("progress", color.text, "picture from a file", "Nothing is traced: there is no scene.");
         }
     }
+    draw_export(session.exports, color);
     draw_message(session);
 }
 
