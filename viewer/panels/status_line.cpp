@@ -76,8 +76,8 @@ void draw_errors(const FilmStatus& film, const ThemeColors& color) {
 void draw_export(const ExportQueue& exports, const ThemeColors& color) {
     const auto running = exports.running();
     if (running.empty()) return;
-    std::string text = fmt::format("writing {}, {:.0f} %", running.front().path.filename().string(),
-                                   100.0 * running.front().progress);
+    std::string text =
+        fmt::format("writing {}, {:.0f} %", running.front().path.filename().string(), 100.0 * running.front().progress);
     if (running.size() > 1) text += fmt::format(" (+{})", running.size() - 1);
     entry("export", color.text, text, "Files are written in the background; quitting waits for them.");
 }
