@@ -341,6 +341,40 @@ std::string header_complaint(const std::filesystem::path& path) {
     return complaint;
 }
 
+std::uint32_t little_endian(std::istream& stream) {
+    std::uint32_t value = 0;
+    for (unsigned i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(stream.get() & 0xff) << (8 * i);
+    return value;
+}
+
+/// The C library takes a channel list and a deep image state for as long as their size says, the C++ library for as
+/// long as their contents are. If these differ, the latter goes on in the middle of an attribute and takes what it
+/// finds there for a size.
+std::string attribute_complaint(const std::filesystem::path& path) {
+    constexpr std::streamoff channel_bytes = 16;  // after its name: type, linearity, sampling
+    constexpr std::uint32_t has_parts = 0x1000;
+    std::ifstream stream(path, std::ios::binary);
+    stream.seekg(4);
+    const bool parts = (little_endian(stream) & has_parts) != 0;
+    const auto read_word = [&stream](std::string& word) { return std::getline(stream, word, '\0') && !word.empty(); };
+    int attributes = 0;
+    do {
+        attributes = 0;
+        for (std::string name, type, channel; read_word(name); ++attributes) {
+            read_word(type);
+            const std::streamoff size = little_endian(stream);
+            const std::streamoff end = stream.tellg() + size;
+            if (type == "chlist")
+                while (stream.tellg() <= end && read_word(channel)) stream.seekg(channel_bytes, std::ios::cur);
+            else
+                stream.seekg(type == "deepImageState" ? 1 : size, std::ios::cur);
+            if (stream.tellg() != end)
+                return fmt::format("Attribute '{}', type '{}': Invalid size {}", name, type, size);
+        }
+    } while (parts && attributes > 0);  // a header without attributes is behind the last
+    return {};
+}
+
 std::optional<Error> file_problem(const std::filesystem::path& path) {
     std::error_code status;
     if (!std::filesystem::exists(path, status))
@@ -352,8 +386,9 @@ std::optional<Error> file_problem(const std::filesystem::path& path) {
     if (std::filesystem::file_size(path, status) == 0) return input_error("is empty", "render it again");
     if (!Imf::isOpenExrFile(path.c_str()))
         return input_error("is not an EXR file", "name a picture that polariscope render wrote");
-    if (const std::string complaint = header_complaint(path); !complaint.empty())
-        return input_error("is damaged or truncated: " + complaint, "copy or render it again");
+    std::string complaint = header_complaint(path);
+    if (complaint.empty()) complaint = attribute_complaint(path);
+    if (!complaint.empty()) return input_error("is damaged or truncated: " + complaint, "copy or render it again");
     return std::nullopt;
 }
 

@@ -20,6 +20,8 @@
 #include <limits>
 #include <string>
 #include <thread>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "io/exr_channel.h"
@@ -316,6 +318,57 @@ TEST_F(ExrFile, IsRefusedIfAnAttributeClaimsMoreThanTheFileHas) {
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().what,
               "is damaged or truncated: Attribute 'emissiveUnits', type 'string': Invalid size 1862270988");
+}
+
+/// A header attribute as it stands in a file; `size` is claimed.
+std::string attribute(const std::string& name, const std::string& type, std::size_t size, const std::string& value) {
+    std::string bytes = name + '\0' + type + '\0';
+    for (std::size_t i = 0; i < 4; ++i) bytes += static_cast<char>(size >> (8 * i));
+    return bytes + value;
+}
+
+/// Reads `file` in a process of its own: the message and the most memory in KiB.
+std::pair<std::string, long> refusal_and_memory(const fs::path& file, const fs::path& message) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const Result<StokesImage> read = read_exr(file);
+        if (!read) std::ofstream(message) << read.error().what;
+        ::_exit(0);
+    }
+    rusage usage{};
+    ::wait4(child, nullptr, 0, &usage);
+    std::string what;
+    std::getline(std::ifstream(message), what);
+    return {what, usage.ru_maxrss};
+}
+
+TEST_F(ExrFile, IsRefusedWithoutTakingMemoryIfAnAttributeDoesNotFillItsSize) {
+    ASSERT_TRUE(write_exr(sample_image(4, 4, {580.0}), path()));
+    std::ifstream file(path(), std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    const std::string huge = attribute("x", "string", 0x6fffffff, "");
+
+    // The channel list lacks its final zero: one that stands in the next attribute ends it, and more seems to follow.
+    const std::string start("channels\0chlist\0", 16);
+    const std::size_t list = bytes.find(start) + start.size() + 4;
+    const auto size = static_cast<unsigned char>(bytes[list - 4]) + 256U * static_cast<unsigned char>(bytes[list - 3]);
+    const std::string value = std::string(5, ' ') + '\0' + huge;
+    std::ofstream(path("list.exr"), std::ios::binary)
+        << bytes.substr(0, list - start.size() - 4)
+        << attribute("channels", "chlist", size - 1, bytes.substr(list, size - 1))
+        << attribute("a", "string", value.size(), value) << bytes.substr(list + size);
+    auto [what, kib] = refusal_and_memory(path("list.exr"), path("message"));
+    EXPECT_EQ(what,
+              "is damaged or truncated: Attribute 'channels', type 'chlist': Invalid size " + std::to_string(size - 1));
+    EXPECT_LT(kib, 1 << 20);
+
+    // OpenEXR reads a single byte of this kind, whatever its size.
+    std::ofstream(path("state.exr"), std::ios::binary)
+        << bytes.substr(0, list + size) << attribute("a", "deepImageState", 1 + huge.size(), '\0' + huge)
+        << bytes.substr(list + size);
+    std::tie(what, kib) = refusal_and_memory(path("state.exr"), path("message"));
+    EXPECT_EQ(what, "is damaged or truncated: Attribute 'a', type 'deepImageState': Invalid size 14");
+    EXPECT_LT(kib, 1 << 20);
 }
 
 TEST_F(ExrFile, CannotBeWrittenToAMissingFolderAFolderOrADevice) {
