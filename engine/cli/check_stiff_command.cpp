@@ -147,12 +147,11 @@ int run(const StiffRequest& request) {
         if (!request.json) print_line(results.back());
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    if (!request.folder.empty())
+        if (const auto written = write_folder(request.folder, results); !written) return report(written.error());
     request.json ? print_json(results) : print_ending(results, took.count());
-    if (!request.folder.empty()) {
-        const auto written = write_folder(request.folder, results);
-        if (!written) return report(written.error());
-        if (!request.json) fmt::print("wrote {}\n", (fs::path(request.folder) / "stiff.html").string());
-    }
+    if (!request.folder.empty() && !request.json)
+        fmt::print("wrote {}\n", printable((fs::path(request.folder) / "stiff.html").string()));
     const bool sound = std::all_of(results.begin(), results.end(), [](const StiffResult& r) { return r.sound; });
     return sound ? 0 : 1;
 }

@@ -58,16 +58,17 @@ std::optional<Error> unusable_output(const ExplainRequest& request) {
     return std::nullopt;
 }
 
-/// Prints and writes what was asked for; returns the exit code.
+/// Writes and prints what was asked for; returns the exit code. Files come first: who reads the text may stop at any
+/// line, which ends the program.
 int show(const ExplainRequest& request, const Plan& plan, const Explanation& explanation) {
-    fmt::print("{}", request.json ? explanation_as_json(plan, explanation)
-                                  : explanation_as_text(plan, explanation, request.least_share));
     if (!request.csv.empty())
         if (const auto done = write_file(request.csv, ray_table_as_csv(plan, explanation)); !done)
             return report(done.error());
     if (!request.obj.empty())
         if (const auto done = write_file(request.obj, paths_as_obj(plan, explanation)); !done)
             return report(done.error());
+    fmt::print("{}", request.json ? explanation_as_json(plan, explanation)
+                                  : explanation_as_text(plan, explanation, request.least_share));
     return explanation.result.failures == 0 && explanation.exact() ? 0 : self_check_failed;
 }
 

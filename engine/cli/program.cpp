@@ -99,9 +99,13 @@ int run_program(int argc, char** argv, std::span<const AddCommand> more) {
     constexpr int out_of_memory = 33;  // what render farms look for
     // A limit on the size of files is reported like a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
+    // Who closes the pipe (`| head -1`) has seen enough, also where a parent ignores the signal: end without a word.
+    std::signal(SIGPIPE, SIG_DFL);
     try {
         const int exit_code = run(argc, argv, more);
-        if (std::fflush(stdout) != 0 && exit_code == 0) return report_lost_output();
+        // A failed write of the help, which goes through std::cout, is only remembered.
+        const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+        if (lost && exit_code == 0) return report_lost_output();
         return exit_code;
     } catch (const std::bad_alloc&) {
         std::fputs("polariscope: out of memory\n  hint: choose a smaller picture or fewer wavelengths\n", stderr);

@@ -36,9 +36,9 @@ class ProgramTest(unittest.TestCase):
         options = {"cwd": self.folder, "capture_output": True, "text": True, "timeout": PATIENCE_S} | options
         return subprocess.run([PROGRAM, *map(str, arguments)], **options)
 
-    def start_program(self, *arguments):
-        process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    def start_program(self, *arguments, **options):
+        options = {"cwd": self.folder, "text": True, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], **options)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         return process

@@ -7,11 +7,13 @@ import random
 import resource
 import select
 import signal
+import subprocess
 import time
 import unittest
 
-from program import SCENES, ProgramTest, main
+from program import PATIENCE_S, SCENES, ProgramTest, main
 
+CALCITE = SCENES / "cube-calcite.yaml"
 GLASS = SCENES / "cube-glass.yaml"
 LONG = (SCENES / "paper-calcite-unpolarized.yaml", "--size", "1024x1024", "--residual", "1e-9", "--threads", "1")
 
@@ -79,7 +81,8 @@ class Refusals(ProgramTest):
         self.assertEqual(self.files(), {})
 
     def test_standard_output_that_cannot_be_written_is_an_error(self):
-        for command in (("plan", GLASS), ("plan", GLASS, "--json"), ("explain", GLASS, "--pixel", "9,9"),
+        for command in (("--version",), ("render", "--help"),
+                        ("plan", GLASS), ("plan", GLASS, "--json"), ("explain", GLASS, "--pixel", "9,9"),
                         ("interface", "--from", "air", "--to", "1.5"),
                         ("render", GLASS, "-o", "out.exr", "--size", "8x8")):
             with self.subTest(command[0]), open("/dev/full", "w") as full:
@@ -89,47 +92,93 @@ class Refusals(ProgramTest):
 
 
 class Kills(ProgramTest):
-    COMMAND = (GLASS, "-o", "out.exr", "--wavelengths", "500:700:10", "--quiet", "--size")
+    def pieces(self):
+        """Whether there is a part of a new file."""
+        sizes = []
+        for name in os.listdir(self.folder):
+            try:
+                sizes.append(name.endswith(".tmp") and os.path.getsize(self.folder / name))
+            except FileNotFoundError:
+                pass  # renamed meanwhile
+        return any(sizes)
 
-    def temporaries(self):
-        return [name for name in os.listdir(self.folder) if name.endswith(".tmp")]
-
-    def test_a_kill_leaves_the_old_picture_or_the_new_one(self):
+    def kills_leave_whole_files(self, *command):
+        """Fifteen kills of `command`; returns how many came while a file was being written."""
+        before = set(self.files())
         began = time.monotonic()
-        self.succeed("render", *self.COMMAND, "256x256")
+        self.assertEqual(self.run_program(*command).returncode, 0)
         duration = time.monotonic() - began
-        new = (self.folder / "out.exr").read_bytes()
-        self.succeed("render", *self.COMMAND, "16x16")
-        old = (self.folder / "out.exr").read_bytes()
-        self.assertNotEqual(old, new)
+        new = {name: content for name, content in self.files().items() if name not in before}
+        self.assertTrue(new)
         moments = random.Random(1)
         during_writing = 0
-        for attempt in range(20):
-            self.write("out.exr", old)
-            process = self.start_program("render", *self.COMMAND, "256x256")
+        for attempt in range(15):
+            for name in new:
+                self.write(name, "old")
+            process = self.start_program(*command, stdout=subprocess.DEVNULL)
             if attempt % 2 == 0:
                 time.sleep(duration * moments.uniform(0.0, 1.1))
-            else:  # as soon as there is a piece of the new file
+            else:
                 while process.poll() is None and not self.pieces():
                     pass
                 time.sleep(duration * moments.uniform(0.0, 0.01))
             process.kill()
             process.wait()
-            during_writing += bool(self.pieces())
-            self.assertIn((self.folder / "out.exr").read_bytes(), (old, new))
-        self.assertGreater(during_writing, 0, "no kill came while the file was being written")
-        self.succeed("render", *self.COMMAND, "256x256")
-        self.assertEqual((self.folder / "out.exr").read_bytes(), new)
-        self.assertEqual(os.listdir(self.folder), ["out.exr"], "leftovers of the killed are removed")
+            during_writing += self.pieces()
+            for name, content in new.items():
+                self.assertIn((self.folder / name).read_bytes(), (b"old", content))
+        self.assertEqual(self.run_program(*command).returncode, 0)
+        self.assertEqual(set(self.files()), before | set(new), "leftovers of the killed are removed")
+        for name, content in new.items():
+            self.assertEqual((self.folder / name).read_bytes(), content)
+        return during_writing
 
-    def pieces(self):
-        sizes = []
-        for name in self.temporaries():
-            try:
-                sizes.append(os.path.getsize(self.folder / name))
-            except FileNotFoundError:
-                pass  # renamed meanwhile
-        return any(sizes)
+    def test_a_kill_leaves_the_old_file_or_the_new_one(self):
+        self.succeed("render", GLASS, "-o", "in.exr", "--size", "64x64", "--quiet")
+        during_writing = 0
+        for command in (("render", GLASS, "-o", "out.exr", "--wavelengths", "500:700:10", "--size", "256x256"),
+                        ("maps", "in.exr", "--map", "dop", "-o", "dop.png"),
+                        ("explain", CALCITE, "--pixel", "256,200", "--csv", "rays.csv", "--obj", "rays.obj"),
+                        ("check", "facts", "T25", "--scenes", "."),
+                        ("check", "stiff", "--row", "grazing-crystal", "-o", ".")):
+            with self.subTest(command):
+                during_writing += self.kills_leave_whole_files(*command)
+        self.assertGreater(during_writing, 0, "no kill came while a file was being written")
+
+
+class Pipes(ProgramTest):
+    def test_a_reader_that_stops_ends_the_program_without_a_word(self):
+        self.succeed("render", GLASS, "-o", "in.exr", "--size", "8x8", "--quiet")
+        for command in (("--help",), ("--version",), ("render", "--help"), ("plan", GLASS), ("plan", GLASS, "--json"),
+                        ("render", *LONG, "-o", "out.exr"),
+                        ("explain", CALCITE, "--pixel", "256,200"), ("explain", CALCITE, "--pixel", "256,200", "--json"),
+                        ("interface", "--from", "air", "--to", "1.5"),
+                        ("check", "facts", "T1"), ("check", "facts", "T1", "--json"), ("check", "in.exr"),
+                        ("check", GLASS, "--json"), ("check", "stiff", "--row", "grazing-crystal"),
+                        ("check", "all", "-o", "all"),
+                        ("converge", GLASS, "-o", "curves", "--size", "8x8", "--seeds", "1")):
+            for parent_ignores_it in (False, True):
+                with self.subTest(command, ignored=parent_ignores_it):
+                    process = self.start_program(*command, restore_signals=not parent_ignores_it)
+                    process.stdout.close()
+                    self.assertEqual(process.wait(PATIENCE_S), -signal.SIGPIPE)
+                    self.assertEqual(process.stderr.read(), "")
+                    self.assertEqual([name for name in self.files() if name.endswith(".tmp")], [])
+
+    def test_files_are_written_whoever_reads_the_text(self):
+        for command, names in ((("explain", CALCITE, "--pixel", "256,200", "--csv", "r.csv", "--obj", "r.obj"),
+                                ("r.csv", "r.obj")),
+                               (("check", "stiff", "--row", "grazing-crystal", "-o", ".", "--json"),
+                                ("grazing-crystal.svg", "stiff.html"))):
+            with self.subTest(command):
+                self.assertEqual(self.run_program(*command).returncode, 0)
+                whole = {name: (self.folder / name).read_bytes() for name in names}
+                for name in names:
+                    self.write(name, "old")
+                process = self.start_program(*command)
+                process.stdout.close()
+                self.assertEqual(process.wait(PATIENCE_S), -signal.SIGPIPE)
+                self.assertEqual({name: (self.folder / name).read_bytes() for name in names}, whole)
 
 
 class Signals(ProgramTest):
