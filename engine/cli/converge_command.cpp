@@ -162,7 +162,10 @@ int run(const ConvergeRequest& request) {
     });
     line.finish();
     if (!result) return report(result.error());
-    if (result.value().rows.empty()) return 128 + static_cast<int>(caught_signal);
+    if (result.value().rows.empty()) {
+        fmt::print(stderr, "polariscope: stopped before the first run was finished; there is no report\n");
+        return 128 + static_cast<int>(caught_signal);
+    }
     if (const auto written = write_report(work, result.value(), command_text(request)); !written)
         return report(written.error());
     print_summary(result.value(), request.folder);

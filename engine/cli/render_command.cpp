@@ -2,11 +2,13 @@
 #include "cli/render_command.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -67,7 +69,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
             progress = renderer.progress();
             const double expected = progress.seconds + progress.seconds_left.value_or(0.0);
             const double share = open_ended && progress.seconds_left ? progress.seconds / expected : progress.done;
-            line.show(share, progress.seconds);
+            if (caught_signal == 0) line.show(share, progress.seconds);
             for (; told < progress.reports.size() && !request.quiet; ++told) {
                 line.finish();
                 print_error_report(progress.reports[told]);
@@ -78,7 +80,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         outcome.seconds += progress.seconds;
         outcome.reports.insert(outcome.reports.end(), progress.reports.begin(), progress.reports.end());
         if (progress.reason == StopReason::cancelled) outcome.signal = static_cast<int>(caught_signal);
-        if (progress.reason == StopReason::memory) throw std::bad_alloc();  // program.cpp ends with its message
+        if (progress.reason == StopReason::memory) throw std::bad_alloc();
         if (progress.reason != StopReason::truncation) return outcome;
 
         const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *request.error);
@@ -104,6 +106,16 @@ std::optional<Error> unusable_output(const RenderRequest& request) {
     for (const std::string& path : {request.output, request.statistics})
         if (auto probe = OutputFile::create(path); !probe) return probe.error();
     return std::nullopt;
+}
+
+/// The sums and the picture made of them stand in memory side by side at the end. Whether the machine would give that
+/// much is asked at the beginning; nothing is touched.
+bool fits_memory(const Plan& plan) {
+    const std::size_t values = std::size_t{2} * static_cast<std::size_t>(plan.settings.width) *
+                               static_cast<std::size_t>(plan.settings.height) * plan.wavelengths_nm.size();
+    const std::size_t bytes = values * sizeof(Stokes<double>);
+    void* probe = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    return probe != MAP_FAILED && munmap(probe, bytes) == 0;
 }
 
 int run(const RenderRequest& request) {
@@ -136,6 +148,7 @@ int run(const RenderRequest& request) {
     if (!compiled) return report(compiled.error());
     std::shared_ptr<const Plan> plan = std::move(compiled).value();
     if (const auto problem = unusable_output(request)) return report(*problem);
+    if (!fits_memory(*plan)) throw std::bad_alloc();  // program.cpp ends with its message
     RenderTiming timing;
     timing.load_s = seconds_since(load_start);
 

@@ -75,10 +75,12 @@ class Refusals(ProgramTest):
 
         if self.run_program("--version", preexec_fn=limited).returncode != 0:
             self.skipTest("a sanitizer needs more address space than the limit")
-        done = self.run_program("render", GLASS, "-o", "out.exr", "--size", "46000x46000", preexec_fn=limited)
-        self.assertEqual(done.returncode, 33, done.stderr)
-        self.assertIn("memory", done.stderr)
-        self.assertEqual(self.files(), {})
+        for size in ("20000x20000", "46000x46000"):
+            done = self.run_program("render", GLASS, "-o", "out.exr", "--size", size, preexec_fn=limited)
+            self.assertEqual(done.returncode, 33, done.stderr)
+            self.assertIn("memory", done.stderr)
+            self.assertEqual(done.stdout, "", "found out before the work")
+            self.assertEqual(self.files(), {})
 
     def test_standard_output_that_cannot_be_written_is_an_error(self):
         for command in (("--version",), ("render", "--help"),
@@ -199,7 +201,28 @@ class Signals(ProgramTest):
                 self.assertEqual(process.wait(60), code)
                 self.assertLess(time.monotonic() - began, 5.0)  # performance.md 6.2
                 self.assertIn("stopped", process.stderr.read())
+                self.assertNotIn("progress 100.0%", process.stdout.read())
                 self.succeed("maps", name, "--map", "dop", "-o", "dop.png")
+
+    def test_a_stopped_convergence_says_what_there_is(self):
+        """Before the first run there is no report; later the report has the finished runs."""
+        endless = ("--size", "512x512", "--wavelengths", "380:780:20", "--residual", "1e-9")
+        process = self.start_program("converge", SCENES / "paper-calcite-unpolarized.yaml", "-o", "curves", *endless)
+        self.wait_for_progress(process)
+        process.send_signal(signal.SIGTERM)
+        began = time.monotonic()
+        self.assertEqual(process.wait(60), 143)
+        self.assertLess(time.monotonic() - began, 5.0)
+        self.assertIn("stopped before the first run", process.stderr.read())
+        self.assertEqual(self.files(), {})
+
+        process = self.start_program("converge", GLASS, "-o", "curves", "--size", "64x64", "--seeds", "1000")
+        while not (self.folder / "curves" / "runs.csv").exists() and process.poll() is None:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(60), 143)
+        self.assertIn("the same command goes on", process.stderr.read())
+        self.assertIn("</html>", (self.folder / "curves" / "report.html").read_text())
 
     def test_a_time_limit_writes_what_is_there_and_says_so(self):
         began = time.monotonic()
