@@ -77,7 +77,7 @@ Camera read_camera(const YamlValue& value) {
 std::vector<double> read_wavelengths(const YamlValue& value) {
     if (value.is_list()) return value.numbers();
     if (value.looks_like_number()) return {value.number()};
-    Result<std::vector<double>> grid = parse_wavelengths(value.text());
+    Result<std::vector<double>> grid = parse_wavelengths(value.is_scalar() ? value.text() : std::string());
     if (!grid) value.fail(grid.error().what, grid.error().hint);
     return std::move(grid).value();
 }

@@ -130,6 +130,7 @@ Medium read_medium(const std::string& name, const YamlValue& value, const AssetF
         medium.matter = IsotropicMedium{read_index(value, folders), ConstantSpectrum{0.0}};
         return medium;
     }
+    if (!value.is_map()) value.fail("this is no medium", "write 1.5, the name of a record or {index: ...}");
     const YamlMap any = value.map({"index", "absorption", "crystal", "ordinary", "extraordinary", "axis", "axis_space",
                                    "absorption_o", "absorption_e", "conductor"});
     if (any.has("conductor")) {

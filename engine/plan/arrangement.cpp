@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
+#include <utility>
 
 #include "core/overloaded.h"
 #include "geometry/overlap.h"
@@ -48,13 +50,12 @@ bool outranks(const Plan& plan, const Relations& relations, int a, int b) {
 }
 
 Error overlap_error(const Scene& scene, const Solid& a, const Solid& b) {
-    const auto& place = scene.objects[static_cast<std::size_t>(b.object)].place;
-    return at_place({ErrorKind::input,
-                     "'" + a.name + "' and '" + b.name + "' overlap: which of them fills the volume that both claim?",
-                     {},
-                     "objects[" + std::to_string(b.object) + "].priority",
-                     "move them apart, let them touch, or give one a higher priority"},
-                    scene, place);
+    return at_object({ErrorKind::input,
+                      "'" + a.name + "' and '" + b.name + "' overlap: which of them fills the volume that both claim?",
+                      {},
+                      "priority",
+                      "move them apart, let them touch, or give one a higher priority"},
+                     scene, b.object);
 }
 
 void add_contact(Plan& plan, int solid, int facet, const Contact& contact) {
@@ -190,7 +191,8 @@ bool has(const std::vector<int>& sorted, int value) {
 
 class RegionBuilder {
 public:
-    RegionBuilder(const Relations& relations, Plan& plan) : relations_(relations), plan_(plan) {}
+    RegionBuilder(const Scene& scene, const Relations& relations, Plan& plan)
+        : scene_(scene), relations_(relations), plan_(plan) {}
 
     /// All sets of solids that a point can be inside of, reached from outside by crossing one boundary at a time.
     Result<Done> build() {
@@ -207,11 +209,8 @@ public:
             }
             plan_.regions[i].toggled = std::move(toggled);
             if (plan_.regions.size() > 4096)
-                return Error{ErrorKind::input,
-                             "more than 4096 ways in which solids overlap",
-                             {},
-                             "objects",
-                             "use fewer overlapping solids"};
+                return refusal(plan_.regions.back(), "overlaps others, in more than 4096 ways in all",
+                               "use fewer overlapping solids");
         }
         for (Region& region : plan_.regions) {
             if (auto done = list_candidates(region); !done) return done.error();
@@ -225,14 +224,20 @@ private:
     }
 
     [[nodiscard]] bool possible(const std::vector<int>& members) const {
-        for (const int member : members) {
-            for (int other = 0; other < plan_.solid_count(); ++other) {
-                if (other == member) continue;
-                if (has(members, other) && !share_volume(relation(member, other))) return false;
-                if (!has(members, other) && relation(other, member) == Arrangement::a_contains_b) return false;
-            }
-        }
+        for (const int a : members)  // few: in most scenes nearly all sets end here
+            for (const int b : members)
+                if (a < b && !share_volume(relation(a, b))) return false;
+        for (const int member : members)
+            for (int host = 0; host < plan_.solid_count(); ++host)
+                if (relation(host, member) == Arrangement::a_contains_b && !has(members, host)) return false;
         return true;
+    }
+
+    /// About the solid that owns the region.
+    [[nodiscard]] Error refusal(const Region& region, const std::string& what, std::string hint) const {
+        const Solid& owner = plan_.solid(region.owner);
+        return at_object({ErrorKind::input, "'" + owner.name + "' " + what, {}, {}, std::move(hint)}, scene_,
+                         owner.object);
     }
 
     int find(const std::vector<int>& members) {
@@ -276,17 +281,15 @@ private:
             if (has(region.members, region.caster_body[mesh]))
                 region.caster_inside.push_back({static_cast<int>(mesh), -1, -1});
         if (region.caster_inside.size() > max_nested_meshes)
-            return Error{ErrorKind::input,
-                         "meshes are nested more than 8 deep",
-                         {},
-                         "objects",
-                         "flat convex solids and spheres may be"};
+            return refusal(region, "is nested with other meshes more than 8 deep",
+                           "flat convex solids and spheres may be");
         auto caster = RayCaster::build(std::move(meshes));
         if (!caster) return caster.error();
         region.caster = std::make_unique<const RayCaster>(std::move(caster).value());
         return Done{};
     }
 
+    const Scene& scene_;
     const Relations& relations_;
     Plan& plan_;
     std::map<std::vector<int>, int> index_;
@@ -306,12 +309,12 @@ Result<Done> refuse_glued_sheets(const Scene& scene, const Plan& plan) {
                     continue;
                 const auto* half_spaces = std::get_if<HalfSpaceSolid>(&solid.shape);
                 if (half_spaces != nullptr && !half_spaces->contains(open->center(), -margin)) continue;
-                return at_place({ErrorKind::input,
-                                 "sheet '" + surface.name + "' lies in a face of '" + solid.name + "'",
-                                 {},
-                                 "objects[" + std::to_string(surface.object) + "].transform",
-                                 "leave a small gap between them"},
-                                scene, scene.objects[static_cast<std::size_t>(surface.object)].place);
+                return at_object({ErrorKind::input,
+                                  "sheet '" + surface.name + "' lies in a face of '" + solid.name + "'",
+                                  {},
+                                  "transform",
+                                  "leave a small gap between them"},
+                                 scene, surface.object);
             }
         }
     }
@@ -324,7 +327,7 @@ Result<Done> arrange(const Scene& scene, Plan& plan) {
     if (auto done = refuse_glued_sheets(scene, plan); !done) return done.error();
     const auto relations = relate(scene, plan);
     if (!relations) return relations.error();
-    return RegionBuilder(relations.value(), plan).build();
+    return RegionBuilder(scene, relations.value(), plan).build();
 }
 
 int Plan::region_at(const DVec3& point) const {

@@ -49,16 +49,16 @@ Result<SolidShape> solid_shape(const Object& object, SolidKernel kernel) {
 Result<Done> add_solid(const Scene& scene, const Object& object, int index, const FilledWith& filling,
                        SolidKernel kernel, MediaTable& media, Plan& plan) {
     auto shape = solid_shape(object, kernel);
-    if (!shape) return at_place(shape.error(), scene, object.place);
+    if (!shape) return at_object(shape.error(), scene, index);
     if (const auto* mesh = std::get_if<MeshBody>(&shape.value()); mesh != nullptr && !mesh->closed) {
         Error error = check_closed(mesh->mesh).error();
         error.what =
             "'" + object.name + "' is filled with '" + filling.medium + "' but its mesh is not closed: " + error.what;
         error.place = {};
-        return at_place(error, scene, object.place);
+        return at_object(error, scene, index);
     }
     const auto medium = media.entry(filling.medium, object.to_world);
-    if (!medium) return at_place(medium.error(), scene, object.place);
+    if (!medium) return at_object(medium.error(), scene, index);
     plan.solids.push_back({object.name, index, medium.value(), object.priority, std::move(shape).value(), {}});
     return Done{};
 }
@@ -83,15 +83,15 @@ Result<Done> add_surface(const Scene& scene, const Object& object, int index, So
                        },
                    },
                    object.shape);
-    if (!shaped) return at_place(shaped.error(), scene, object.place);
+    if (!shaped) return at_object(shaped.error(), scene, index);
     if (const auto* sheet = std::get_if<Sheet>(&object.role)) {
         if (std::holds_alternative<HalfSpaceSolid>(surface.shape) || std::holds_alternative<Sphere>(surface.shape))
-            return at_place({ErrorKind::input,
-                             "sheet '" + object.name + "' has a closed shape",
-                             {},
-                             "shape",
-                             "use a rectangle, a disk or an open mesh"},
-                            scene, object.place);
+            return at_object({ErrorKind::input,
+                              "sheet '" + object.name + "' has a closed shape",
+                              {},
+                              "shape",
+                              "use a rectangle, a disk or an open mesh"},
+                             scene, index);
         surface.role = SheetRole{sheet_in_world(*sheet, object.to_world)};
     } else if (std::holds_alternative<Emission>(object.role)) {
         surface.role = EmitterRole{static_cast<int>(plan.emitters.size())};

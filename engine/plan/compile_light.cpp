@@ -48,22 +48,22 @@ Result<std::vector<Dielectric<double>>> plate_crystals(const Scene& scene, const
         const auto medium = std::find_if(scene.media.begin(), scene.media.end(),
                                          [&](const Medium& m) { return m.name == plate->medium; });
         if (medium == scene.media.end())
-            return at_place({ErrorKind::input,
-                             "unknown medium '" + plate->medium + "'",
-                             {},
-                             "emission.polarization.crystal_plate.medium",
-                             {}},
-                            scene, object.place);
+            return at_object({ErrorKind::input,
+                              "unknown medium '" + plate->medium + "'",
+                              {},
+                              "emission.polarization.crystal_plate.medium",
+                              {}},
+                             scene, index);
         auto constants =
             medium_at(*medium, direction_to_world(object.to_world, plate->axis), wavelength_nm, scene.unit_nm);
-        if (!constants) return at_place(constants.error(), scene, object.place);
+        if (!constants) return at_object(constants.error(), scene, index);
         if (constants.value().dielectric.kind != MediumKind::uniaxial)
-            return at_place({ErrorKind::input,
-                             "the virtual plate's medium '" + plate->medium + "' has only one ray",
-                             {},
-                             "emission.polarization.crystal_plate.medium",
-                             "name a uniaxial medium with two different indices"},
-                            scene, object.place);
+            return at_object({ErrorKind::input,
+                              "the virtual plate's medium '" + plate->medium + "' has only one ray",
+                              {},
+                              "emission.polarization.crystal_plate.medium",
+                              "name a uniaxial medium with two different indices"},
+                             scene, index);
         plates.push_back(constants.value().dielectric);
     }
     return plates;
@@ -145,20 +145,21 @@ double smallest_ray_index2(const Dielectric<double>& d) {
     return std::min(n_o2, n_e2 * n_e2 / n_o2);
 }
 
-Result<Done> refuse_polarized_in_crystal(const Scene& scene, const Plan& plan, int body, const Object& object) {
+Result<Done> refuse_polarized_in_crystal(const Scene& scene, const Plan& plan, int body, int object) {
+    const std::string& name = scene.objects[static_cast<std::size_t>(object)].name;
     for (const Region& region : plan.regions) {
         const bool here =
             std::find(region.surfaces.begin(), region.surfaces.end(), body) != region.surfaces.end() ||
             std::find(region.caster_body.begin(), region.caster_body.end(), body) != region.caster_body.end();
         if (here &&
             plan.groups[0].media[static_cast<std::size_t>(region.medium)].dielectric.kind == MediumKind::uniaxial)
-            return at_place(
+            return at_object(
                 {ErrorKind::input,
-                 "polarized emitter '" + object.name + "' reaches into a crystal, whose modes fix the polarization",
+                 "polarized emitter '" + name + "' reaches into a crystal, whose modes fix the polarization",
                  {},
                  "emission.polarization",
                  "make it unpolarized or move it out of the crystal"},
-                scene, object.place);
+                scene, object);
     }
     return Done{};
 }
@@ -190,24 +191,25 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
     for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
         const auto* role = std::get_if<EmitterRole>(&plan.surfaces[i].role);
         if (role == nullptr) continue;
-        const Object& object = scene.objects[static_cast<std::size_t>(plan.surfaces[i].object)];
+        const int index = plan.surfaces[i].object;
+        const Object& object = scene.objects[static_cast<std::size_t>(index)];
         const auto& emission = std::get<Emission>(object.role);
         Emitter& emitter = plan.emitters[static_cast<std::size_t>(role->emitter)];
         if (std::holds_alternative<TexturedRadiance>(emission.radiance) &&
             !std::holds_alternative<OpenSurface>(plan.surfaces[i].shape))
-            return at_place({ErrorKind::input,
-                             "textured emitter '" + object.name + "' is not flat",
-                             {},
-                             "emission.radiance.texture",
-                             "textures are for rectangles and disks"},
-                            scene, object.place);
+            return at_object({ErrorKind::input,
+                              "textured emitter '" + object.name + "' is not flat",
+                              {},
+                              "emission.radiance.texture",
+                              "textures are for rectangles and disks"},
+                             scene, index);
         auto radiance = compile_radiance(emission.radiance, plan.wavelengths_nm);
-        if (!radiance) return at_place(radiance.error(), scene, object.place);
+        if (!radiance) return at_object(radiance.error(), scene, index);
         emitter.radiance = std::move(radiance.value().radiance);
         emitter.two_sided = emission.two_sided;
         if (!std::holds_alternative<Unpolarized>(emission.state)) {
             const int body = plan.solid_count() + static_cast<int>(i);
-            if (auto done = refuse_polarized_in_crystal(scene, plan, body, object); !done) return done.error();
+            if (auto done = refuse_polarized_in_crystal(scene, plan, body, index); !done) return done.error();
         }
         if (const auto* fixed = std::get_if<FixedState>(&emission.state))
             emitter.state =

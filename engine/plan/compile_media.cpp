@@ -2,6 +2,8 @@
 #include "plan/compile_media.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "core/overloaded.h"
 #include "core/units.h"
@@ -14,6 +16,11 @@ Error at_place(Error error, const Scene& scene, const SourcePlace& place) {
     const auto file = static_cast<std::size_t>(place.file);
     if (file < scene.files.size()) error.place = {scene.files[file], place.line, place.column};
     return error;
+}
+
+Error at_object(Error error, const Scene& scene, int object) {
+    error.field = "objects[" + std::to_string(object) + "]" + (error.field.empty() ? "" : ".") + error.field;
+    return at_place(std::move(error), scene, scene.objects[static_cast<std::size_t>(object)].place);
 }
 
 namespace {

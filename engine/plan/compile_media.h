@@ -42,7 +42,10 @@ inline DVec3 direction_to_world(const DMat4& to_world, const DVec3& direction) {
     return unit(DMat3(to_world) * direction);
 }
 
-/// Names the place of `source` in the scene's files.
+/// Names `place` in the scene's files.
 Error at_place(Error error, const Scene& scene, const SourcePlace& place);
+
+/// The same for a key of an object, error.field, or for the whole object.
+Error at_object(Error error, const Scene& scene, int object);
 
 }  // namespace pol

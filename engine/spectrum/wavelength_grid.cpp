@@ -31,6 +31,7 @@ Result<std::vector<double>> parse_numbers(std::string_view text, char separator)
         const std::string_view word = trimmed(text.substr(0, cut));
         if (more) text.remove_prefix(cut + 1);
 
+        if (word.empty()) return usage_error("a number is missing");
         double value = 0.0;
         const std::from_chars_result parsed = std::from_chars(word.data(), word.data() + word.size(), value);
         if (parsed.ec != std::errc{} || parsed.ptr != word.data() + word.size()) {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <string>
 
 #include "geometry/mesh_check.h"
 #include "polarization/measures.h"
@@ -79,6 +81,24 @@ TEST(Nesting, EverySphereOfANestHasARegionOfItsOwn) {
         const char* expected[] = {"vacuum", "glass", "air", "glass"};
         EXPECT_EQ(plan->medium_names[static_cast<std::size_t>(region.medium)], expected[depth]);
     }
+}
+
+/// The time grows with the square of their number: with the cube it would be half a minute.
+TEST(Nesting, ThousandsOfSeparateSolidsAreArrangedInSeconds) {
+    constexpr int count = 2000;
+    Scene scene = scene_with("  - {name: bead, shape: {box: {size: 0.01}}, medium: glass}\n");
+    const Object bead = scene.objects.back();
+    for (int i = 1; i < count; ++i) {
+        scene.objects.push_back(bead);
+        scene.objects.back().name += std::to_string(i);
+        scene.objects.back().to_world[3][0] = 0.02 * i;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const auto plan = compile(scene);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    ASSERT_TRUE(plan) << to_string(plan.error());
+    EXPECT_EQ(plan.value()->regions.size(), std::size_t{count} + 1);
+    EXPECT_LT(took.count(), 10.0);
 }
 
 TEST(Nesting, EverySharedBoundaryLeadsThereAndBack) {

@@ -2,6 +2,8 @@
 // Scenes that have values in range but make no sense in space: an error that names who is in whose way.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "support/render_scene.h"
 
 namespace pol {
@@ -72,7 +74,20 @@ TEST(Refusals, APolarizedLampInsideACrystalNamesTheLamp) {
   - {name: stone, shape: {box: {size: 2}}, medium: calcite}
   - {name: spark, shape: {sphere: {radius: 0.1}}, emission: {radiance: 1, polarization: {dop: 1, azimuth: 0}}}
 )"),
-                 "emission.polarization", {"spark"});
+                 "objects[1].emission.polarization", {"spark"});
+}
+
+TEST(Refusals, AClosedSheetNamesItsShape) {
+    expect_names(refusal("  - {name: foil, shape: {sphere: {radius: 1}}, sheet: {polarizer: {axis: [1, 0, 0]}}}\n"),
+                 "objects[0].shape", {"foil", "closed"});
+}
+
+TEST(Refusals, ThousandsOfOverlapsNameASolid) {
+    std::string objects;
+    for (int i = 0; i < 60; ++i)
+        objects += "  - {name: plate " + std::to_string(i) + ", shape: {box: {size: 1}}, transform: [{translate: [" +
+                   std::to_string(0.01 * i) + ", 0, 0]}], medium: glass, priority: " + std::to_string(i) + "}\n";
+    expect_names(refusal(objects), "objects[", {"plate", "overlaps", "4096"});
 }
 
 }  // namespace
