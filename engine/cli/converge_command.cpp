@@ -134,7 +134,6 @@ std::optional<Error> unusable(const ConvergeRequest& request) {
                      {},
                      "--seeds",
                      "1 to 1000; at least 5 for a band worth looking at"};
-    if (const auto made = make_folder(request.folder); !made) return made.error();
     return std::nullopt;
 }
 
@@ -142,6 +141,7 @@ int run(const ConvergeRequest& request) {
     if (const auto problem = unusable(request)) return report(*problem);
     auto scene = load_scene_with(request.scene);
     if (!scene) return report(scene.error());
+    if (const auto made = make_folder(request.folder); !made) return report(made.error());
     verify::ConvergenceRequest work;
     work.scene = std::move(scene).value();
     if (!request.scene.size && request.reference.empty()) shrink(work.scene.render);

@@ -106,6 +106,12 @@ int run_case(const ExplainRequest& request) {
 }
 
 int run(const ExplainRequest& request) {
+    if (!(request.least_share >= 0.0 && request.least_share <= 1.0))
+        return report({ErrorKind::usage,
+                       fmt::format("{} is no weight", request.least_share),
+                       {},
+                       "--least",
+                       "from 0, all branches, to 1"});
     if (const auto problem = unusable_output(request)) return report(*problem);
     if (request.is_case) return run_case(request);
     if (request.pixel.empty())

@@ -89,8 +89,10 @@ std::optional<Error> output_problem(const fs::path& output, std::string_view end
         return Error{ErrorKind::usage, std::move(what), Place{output.string()}, {}, std::move(hint)};
     };
     if (!ending.empty() && lower(output.extension().string()) != ending) {
+        const bool has_name = output.has_filename() && output.filename() != ending;
+        const fs::path name = has_name ? output : output.parent_path() / "name";
         return refuse(fmt::format("the name of the output does not end in {}", ending),
-                      fmt::format("for example {}", fs::path(output).replace_extension(ending).string()));
+                      fmt::format("for example {}", fs::path(name).replace_extension(ending).string()));
     }
     for (const fs::path& other : others) {
         if (!other.empty() && is_same_file(output, other))

@@ -82,8 +82,10 @@ class BadScenes(ProgramTest):
                 column = offset - (text.rfind("\n", 0, offset) + 1) + 1
                 address = f"scene.yaml:{line}:{column}: " + (f"{field}: " if field else "")
                 message = self.refuse(3, [address, said], "render", "scene.yaml", "-o", "out.exr", "--stats", "s.json")
-                self.assertEqual(self.refuse(3, [], "plan", "scene.yaml"), message)
-                self.assertEqual(self.refuse(3, [], "explain", "scene.yaml", "--pixel", "0,0"), message)
+                for command in (("plan", "scene.yaml"), ("explain", "scene.yaml", "--pixel", "0,0"),
+                                ("check", "scene.yaml"), ("converge", "scene.yaml", "-o", "curves")):
+                    self.assertEqual(self.refuse(3, [], *command), message)
+                self.assertEqual(os.listdir(self.folder), ["scene.yaml"], "not even a folder is made")
 
     def test_a_scene_that_is_no_file_is_refused_by_name(self):
         self.write("empty.yaml", "")
