@@ -66,7 +66,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     app.footer(
         "Exit codes: 0 done; 1 defect of this program, or a fact that fails; 2 usage; 3 scene or asset; 4 output;\n"
         "5 self-check failed (energy, not-a-number); 10 time limit before the samples asked for; 33 out of memory; "
-        "130, 143 stopped.\n"
+        "130, 141, 143 stopped.\n"
         "\nExample:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr\n"
         "  polariscope maps calcite.exr --map dop -o dop.png");
