@@ -163,14 +163,14 @@ int run(const ConvergeRequest& request) {
     line.finish();
     if (!result) return report(result.error());
     if (result.value().rows.empty()) {
-        fmt::print(stderr, "polariscope: stopped before the first run was finished; there is no report\n");
+        remark("polariscope: stopped before the first run was finished; there is no report\n");
         return 128 + static_cast<int>(caught_signal);
     }
     if (const auto written = write_report(work, result.value(), command_text(request)); !written)
         return report(written.error());
     print_summary(result.value(), request.folder);
     if (!result.value().complete) {
-        fmt::print(stderr, "polariscope: stopped; the same command goes on where it was\n");
+        remark("polariscope: stopped; the same command goes on where it was\n");
         return 128 + static_cast<int>(caught_signal);
     }
     constexpr int self_check_failed = 5;

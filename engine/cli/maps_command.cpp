@@ -109,7 +109,7 @@ Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t 
     if (!map) return map.error();
     const std::size_t bad = map.value().state_count[static_cast<std::size_t>(PixelState::not_a_number)];
     if (bad > 0)
-        fmt::print(stderr, "{}: {} pixels of '{}' are not a number\n", request.input, bad, info(quantity).name);
+        remark(fmt::format("{}: {} pixels of '{}' are not a number\n", request.input, bad, info(quantity).name));
     if (request.plain) return write_png(map.value().picture, output);
     const Result<RgbPicture> picture = map_picture(map.value(), caption_of(image, request.input));
     if (!picture) return picture.error();

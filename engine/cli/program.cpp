@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -89,6 +91,14 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     return exit_code;
 }
 
+/// A closed stream would hand its number to the first file that is opened, and messages would land in that file. It is
+/// opened for reading instead, so that writing to it fails.
+void fill_closed_streams() {
+    int descriptor = 0;
+    while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::open("/dev/null", O_RDONLY);
+    if (descriptor >= 0) ::close(descriptor);
+}
+
 int report_lost_output() {
     return report({ErrorKind::output, "standard output cannot be written", {}, {}, "is the disk full?"});
 }
@@ -97,13 +107,14 @@ int report_lost_output() {
 
 int run_program(int argc, char** argv, std::span<const AddCommand> more) {
     constexpr int out_of_memory = 33;  // what render farms look for
+    fill_closed_streams();
     // A limit on the size of files is reported like a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     // Who closes the pipe (`| head -1`) has seen enough, also where a parent ignores the signal: end without a word.
     std::signal(SIGPIPE, SIG_DFL);
     try {
         const int exit_code = run(argc, argv, more);
-        // A failed write of the help, which goes through std::cout, is only remembered.
+        // A failed write of the help, through std::cout, or of progress is only remembered.
         const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
         if (lost && exit_code == 0) return report_lost_output();
         return exit_code;
@@ -113,7 +124,7 @@ int run_program(int argc, char** argv, std::span<const AddCommand> more) {
     } catch (const std::exception& error) {
         // fmt throws where standard output cannot be written.
         if (std::ferror(stdout) != 0) return report_lost_output();
-        std::fprintf(stderr, "polariscope: defect: %s\n", error.what());
+        remark(fmt::format("polariscope: defect: {}\n", error.what()));
         return static_cast<int>(ErrorKind::internal);
     }
 }

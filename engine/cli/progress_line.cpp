@@ -33,13 +33,16 @@ void ProgressLine::show(double done, double elapsed) {
 void ProgressLine::show(double done, double seconds_left, const std::string& doing) {
     if (quiet_ || (!terminal_ && done < shown_ + 0.1)) return;
     shown_ = done;
-    fmt::print("{}progress {:.1f}%{}{}{}{}", terminal_ ? erase_line : "", 100.0 * done, time_left(done, seconds_left),
-               doing.empty() ? "" : ": ", doing, terminal_ ? "" : "\n");
-    std::fflush(stdout);
+    const std::string line =
+        fmt::format("{}progress {:.1f}%{}{}{}{}", terminal_ ? erase_line : "", 100.0 * done,
+                    time_left(done, seconds_left), doing.empty() ? "" : ": ", doing, terminal_ ? "" : "\n");
+    // Where this fails, on a full disk, the work goes on; run_program sees it at the end.
+    static_cast<void>(std::fputs(line.c_str(), stdout));
+    static_cast<void>(std::fflush(stdout));
 }
 
 void ProgressLine::finish() {
-    if (!quiet_ && terminal_) fmt::print("{}", erase_line);
+    if (!quiet_ && terminal_) static_cast<void>(std::fputs(erase_line, stdout));
 }
 
 }  // namespace pol

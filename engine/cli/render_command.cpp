@@ -86,8 +86,8 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *request.error);
         if (!finer || (request.seconds && outcome.seconds >= *request.seconds)) return outcome;
         if (!request.quiet)
-            fmt::print(stderr, "too much light is untraced: residual {:.3g} instead of {:.3g}\n", *finer,
-                       scene.render.residual);
+            remark(fmt::format("too much light is untraced: residual {:.3g} instead of {:.3g}\n", *finer,
+                               scene.render.residual));
         scene.render.residual = *finer;
         auto finer_plan = compile(scene);
         if (!finer_plan) return finer_plan.error();

@@ -85,9 +85,9 @@ int samples_per_pixel(const RenderSettings& settings, const RenderProgress& prog
 void print_error_report(const ErrorReport& report) {
     const std::string sampling =
         report.error.sampling ? fmt::format("{:.3g} (68 %)", *report.error.sampling) : "not known yet";
-    fmt::print(stderr, "{} sample{} per pixel, {}: bound of truncation {:.3g}, estimate of sampling {}\n",
-               report.samples, report.samples == 1 ? "" : "s", duration_text(report.seconds), report.error.truncation,
-               sampling);
+    remark(fmt::format("{} sample{} per pixel, {}: bound of truncation {:.3g}, estimate of sampling {}\n",
+                       report.samples, report.samples == 1 ? "" : "s", duration_text(report.seconds),
+                       report.error.truncation, sampling));
 }
 
 Result<Done> write_statistics(const RenderRequest& request, const Plan& plan, const RenderOutcome& outcome,
@@ -190,13 +190,13 @@ int conclude(const RenderRequest& request, const RenderOutcome& outcome, const S
     constexpr int less_than_asked_for = 10;
     if (!request.quiet) print_picture(request, outcome, image);
     const std::string complaint = shortfall(request, outcome);
-    if (!complaint.empty()) fmt::print(stderr, "polariscope: {}\n", complaint);
+    if (!complaint.empty()) remark(fmt::format("polariscope: {}\n", complaint));
     const RenderStatistics& statistics = outcome.progress.statistics;
     if (statistics.failures > 0) {
-        fmt::print(stderr,
-                   "polariscope: self-check failed in {} of {} samples (energy, not-a-number or a leaking solid)\n"
-                   "  hint: the picture is written; its channel 'failures' counts them per pixel\n",
-                   statistics.failures, statistics.samples);
+        remark(
+            fmt::format("polariscope: self-check failed in {} of {} samples (energy, not-a-number or a leaking solid)\n"
+                        "  hint: the picture is written; its channel 'failures' counts them per pixel\n",
+                        statistics.failures, statistics.samples));
         return self_check_failed;
     }
     if (outcome.progress.reason == StopReason::cancelled) return 128 + outcome.signal;

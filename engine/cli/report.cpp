@@ -60,8 +60,12 @@ std::string printable(std::string_view text) {
     return out;
 }
 
+void remark(const std::string& text) {
+    static_cast<void>(std::fputs(text.c_str(), stderr));
+}
+
 int report(const Error& error) {
-    fmt::print(stderr, "polariscope: {}\n", printable(to_string(error)));
+    remark("polariscope: " + printable(to_string(error)) + "\n");
     return static_cast<int>(error.kind);
 }
 

@@ -13,6 +13,9 @@
 
 namespace pol {
 
+/// Prints to stderr. What cannot be said there stays unsaid: a lost remark is no reason to lose a picture.
+void remark(const std::string& text);
+
 /// Prints the error to stderr and returns its exit code.
 int report(const Error& error);
 

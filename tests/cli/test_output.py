@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is written is whole or not there: missing folders, full disks, kills and signals."""
 
+import contextlib
 import os
 import random
 import resource
@@ -91,6 +92,28 @@ class Refusals(ProgramTest):
                 done = self.run_program(*command, capture_output=False, stdout=full, stderr=-1)
                 self.assertEqual(done.returncode, 4, done.stderr)
                 self.assertIn("standard output", done.stderr)
+
+    def test_work_goes_on_where_nothing_can_be_said(self):
+        """Full or closed, the streams cost no picture and end up in no file."""
+        def closed():
+            os.close(1)
+            os.close(2)
+
+        self.succeed("render", GLASS, "-o", "good.exr", "--size", "256x256", "--quiet")
+        good = (self.folder / "good.exr").read_bytes()
+        for streams in ({"stdout": "/dev/full", "stderr": "/dev/full"}, {"preexec_fn": closed}):
+            with self.subTest(streams), contextlib.ExitStack() as files:
+                options = {name: files.enter_context(open(path, "w")) if isinstance(path, str) else path
+                           for name, path in streams.items()}
+                done = self.run_program("render", GLASS, "-o", "out.exr", "--size", "256x256", capture_output=False, **options)
+                self.assertEqual(done.returncode, 4)
+                self.assertEqual((self.folder / "out.exr").read_bytes(), good)
+                done = self.run_program("render", GLASS, "-o", "out.exr", "--error", "0.1", "--size", "64x64",
+                                        capture_output=False, **options)
+                self.assertEqual(done.returncode, 4)
+                self.assertEqual(self.run_program("check", "out.exr").returncode, 0)
+                done = self.run_program("render", "no.yaml", "-o", "out.exr", capture_output=False, **options)
+                self.assertEqual(done.returncode, 3)
 
 
 class Kills(ProgramTest):
