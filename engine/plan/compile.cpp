@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "core/overloaded.h"
 #include "geometry/mesh_check.h"
@@ -16,6 +17,10 @@ namespace pol {
 
 namespace {
 
+/// Planes are tested one by one, and whether a mesh is convex takes their number squared. Embree is faster from 2000
+/// on.
+constexpr std::size_t most_half_spaces = 4096;
+
 /// Shape of a solid in world space: half-spaces where it is flat-faced and convex, else a sphere or a mesh.
 using SolidShape = std::variant<HalfSpaceSolid, Sphere, MeshBody>;
 
@@ -23,7 +28,8 @@ Result<SolidShape> from_mesh(const Mesh& object_mesh, const DMat4& to_world, Sol
     auto mesh = transformed(object_mesh, to_world);
     if (!mesh) return mesh.error();
     const bool closed = static_cast<bool>(check_closed(mesh.value()));
-    if (kernel == SolidKernel::half_spaces && closed && is_convex(mesh.value())) {
+    const bool few = mesh.value().facets.size() <= most_half_spaces;
+    if (kernel == SolidKernel::half_spaces && closed && few && is_convex(mesh.value())) {
         auto solid = HalfSpaceSolid::from_mesh(std::move(mesh).value());
         if (!solid) return solid.error();
         return SolidShape{std::move(solid).value()};

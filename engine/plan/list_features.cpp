@@ -96,7 +96,7 @@ void account_for_geometry(const Plan& plan, Account& account) {
                     nested.push_back(plan.solid(member).name);
     account.add("half-space solids", half_spaces, "exact planes in double: ", "no flat convex solid");
     account.add("analytic spheres", spheres, "", "no sphere");
-    account.add("Embree scene", meshes, "meshes that are not convex or not closed: ",
+    account.add("Embree scene", meshes, "meshes that are not convex, not closed, or of more than 4096 facets: ",
                 "flat convex solids, spheres and flat surfaces need none");
     account.add("shared faces", touching, "touching solids become one interface: ", "no two solids touch");
     account.add("nested or overlapping media", nested, "", "no solid lies inside another");

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/units.h"
 #include "geometry/shapes.h"
 #include "support/shipped_scenes.h"
 
@@ -97,6 +99,19 @@ TEST(Features, ANonConvexMeshIsBuiltForEmbreeAndAConvexOneIsNot) {
     const auto plan = test::plan_of(scene);
     EXPECT_TRUE(plan->features.meshes);
     EXPECT_NE(feature(*plan, "Embree scene").reason.find("cube"), std::string::npos);
+}
+
+TEST(Features, AConvexSolidOfManyFacetsIsBuiltForEmbree) {
+    for (const int corners : {4000, 5000}) {
+        ExtrusionShape column;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2.0 * pi * i / corners;
+            column.polygon.push_back({std::cos(angle), std::sin(angle)});
+        }
+        Scene scene = test::shipped_scene("cube-glass");
+        scene.objects[0].shape = column;
+        EXPECT_EQ(test::plan_of(scene)->features.meshes, corners > 4096) << corners;
+    }
 }
 
 // Wavelengths share a tree exactly if all constants are equal there: flat from 400 to 500, then rising.
