@@ -47,7 +47,7 @@ std::string text_of(const Complex<double>& z) {
 }
 
 /// Rows are the camera's x and y, columns the field vectors of the branch.
-std::string text_of(const Throughput& t, bool single) {
+std::string text_of(const Throughput<double>& t, bool single) {
     if (single) return fmt::format("[[{}], [{}]]", text_of(t.m[0][0]), text_of(t.m[1][0]));
     return fmt::format("[[{}, {}], [{}, {}]]", text_of(t.m[0][0]), text_of(t.m[0][1]), text_of(t.m[1][0]),
                        text_of(t.m[1][1]));

@@ -75,8 +75,16 @@ inline Quad exp(const Quad& x) {
     return sum;
 }
 
-/// Taylor's series of the sine. Requires: |x| < 4 or so.
-inline Quad sin(const Quad& x) {
+/// The same angle within half a turn of zero, to 1e-34 of a radian per turn taken away. pi is the sum of three doubles.
+inline Quad within_half_a_turn(const Quad& x) {
+    constexpr Quad turn =
+        Quad(2) * (Quad(0x1.921fb54442d18p+1) + Quad(0x1.1a62633145c07p-53) + Quad(-0x1.f1976b7ed8fbcp-109));
+    return x - Quad(std::nearbyint(static_cast<double>(x / turn))) * turn;
+}
+
+/// Taylor's series of the sine.
+inline Quad sin(const Quad& angle) {
+    const Quad x = within_half_a_turn(angle);
     Quad sum = x;
     Quad term = x;
     for (int i = 2; i < 50; i += 2) {
@@ -87,7 +95,8 @@ inline Quad sin(const Quad& x) {
 }
 
 /// As sin.
-inline Quad cos(const Quad& x) {
+inline Quad cos(const Quad& angle) {
+    const Quad x = within_half_a_turn(angle);
     Quad sum(1);
     Quad term(1);
     for (int i = 1; i < 50; i += 2) {

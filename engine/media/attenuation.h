@@ -20,11 +20,12 @@ struct AbsorptionAt {
 /// alpha = k0 E^H eps'' E / |Re(E x H*)| with eps'' = n alpha / k0 along each principal axis and, for unit E,
 /// |E x H| = dot(k, ray). Reduces to `ordinary` for an o wave and to `extraordinary` for an e wave across the axis.
 /// Requires: `field`, `ray` and `axis` unit, dot(k, ray) > 0.
-inline double mode_absorption(const AbsorptionAt& alpha, double n_o, double n_e, const DVec3& axis, const DVec3& field,
-                              const DVec3& k, const DVec3& ray) {
-    const double along = dot(field, axis);
-    const double across2 = length2(cross(field, axis));
-    return (n_o * alpha.ordinary * across2 + n_e * alpha.extraordinary * along * along) / dot(k, ray);
+template <class Real>
+Real mode_absorption(const AbsorptionAt& alpha, const Real& n_o, const Real& n_e, const Vec3<Real>& axis,
+                     const Vec3<Real>& field, const Vec3<Real>& k, const Vec3<Real>& ray) {
+    const Real along = dot(field, axis);
+    const Real across2 = length2(cross(field, axis));
+    return (n_o * Real(alpha.ordinary) * across2 + n_e * Real(alpha.extraordinary) * along * along) / dot(k, ray);
 }
 
 }  // namespace pol

@@ -40,10 +40,12 @@ enum class CrystalRay { ordinary, extraordinary };
 using Sheet = std::variant<LinearPolarizer, Retarder, CircularPolarizer>;
 
 /// `axis` made transverse to the light and unit; zero if it lies along the light, where the sheet has no axis to show.
-inline DVec3 transverse_axis(const DVec3& axis, const DVec3& light_direction) {
-    const DVec3 across = axis - dot(axis, light_direction) * light_direction;
-    const double size2 = length2(across);
-    return size2 > 0.0 ? across / std::sqrt(size2) : DVec3(0.0);
+template <class Real>
+Vec3<Real> transverse_axis(const Vec3<Real>& axis, const Vec3<Real>& light_direction) {
+    using std::sqrt;
+    const Vec3<Real> across = axis - dot(axis, light_direction) * light_direction;
+    const Real size2 = length2(across);
+    return size2 > Real(0) ? across / sqrt(size2) : Vec3<Real>(Real(0));
 }
 
 /// Operator of the sheet on transverse fields, as a matrix between the unit vectors e1 and e2: [i][j] = e_i . F e_j.
@@ -56,32 +58,33 @@ inline DVec3 transverse_axis(const DVec3& axis, const DVec3& light_direction) {
 ///
 /// Requires: light_direction, e1, e2 unit; e1 x e2 = +-light_direction (either hand: a backward tracer keeps the
 /// field vectors of the light).
-inline std::array<std::array<Complex<double>, 2>, 2> sheet_jones(const Sheet& sheet, const DVec3& light_direction,
-                                                                 const DVec3& e1, const DVec3& e2) {
-    using Matrix = std::array<std::array<Complex<double>, 2>, 2>;
+template <class Real>
+std::array<std::array<Complex<Real>, 2>, 2> sheet_jones(const Sheet& sheet, const Vec3<Real>& light_direction,
+                                                        const Vec3<Real>& e1, const Vec3<Real>& e2) {
+    using Matrix = std::array<std::array<Complex<Real>, 2>, 2>;
     return std::visit(Overloaded{
                           [&](const LinearPolarizer& polarizer) -> Matrix {
-                              const DVec3 a = transverse_axis(polarizer.axis, light_direction);
-                              const double x = dot(e1, a);
-                              const double y = dot(e2, a);
+                              const Vec3<Real> a = transverse_axis(Vec3<Real>(polarizer.axis), light_direction);
+                              const Real x = dot(e1, a);
+                              const Real y = dot(e2, a);
                               return {{{x * x, x * y}, {x * y, y * y}}};
                           },
                           [&](const Retarder& retarder) -> Matrix {
                               // F = 1 + (exp(i retardance) - 1) g g^T, with g across the fast axis.
-                              const DVec3 g =
-                                  cross(light_direction, transverse_axis(retarder.fast_axis, light_direction));
-                              const double x = dot(e1, g);
-                              const double y = dot(e2, g);
-                              const Complex<double> turn = unit_phase(retarder.retardance) - Complex<double>(1.0);
-                              const Complex<double> one(1.0);
+                              const Vec3<Real> g = cross(
+                                  light_direction, transverse_axis(Vec3<Real>(retarder.fast_axis), light_direction));
+                              const Real x = dot(e1, g);
+                              const Real y = dot(e2, g);
+                              const Complex<Real> one(Real(1));
+                              const Complex<Real> turn = unit_phase(Real(retarder.retardance)) - one;
                               return {{{one + turn * (x * x), turn * (x * y)}, {turn * (x * y), one + turn * (y * y)}}};
                           },
                           [&](const CircularPolarizer& polarizer) -> Matrix {
                               // a a^H = 1/2 [[1, i], [-i, 1]] for right in a right-handed frame.
-                              const double hand = dot(cross(e1, e2), light_direction) > 0.0 ? 0.5 : -0.5;
-                              const Complex<double> half(0.5);
-                              const Complex<double> off(0.0, polarizer.passes == Handedness::right ? hand : -hand);
-                              return {{{half, off}, {-off, half}}};
+                              const Real half(0.5);
+                              const Real hand = dot(cross(e1, e2), light_direction) > Real(0) ? half : -half;
+                              const Complex<Real> off(Real(0), polarizer.passes == Handedness::right ? hand : -hand);
+                              return {{{Complex<Real>(half), off}, {-off, Complex<Real>(half)}}};
                           },
                       },
                       sheet);

@@ -30,21 +30,20 @@ struct Patient : Silent {
 
 constexpr std::size_t branches_between_questions = 256;
 
-/// What the sweep over a finished tree needs to know.
-struct Gathering {
-    const Plan& plan;
-    const TraceTask& task;
-    std::size_t place;  ///< of the wavelength in its group
-    const WavelengthGroup& group = plan.groups[static_cast<std::size_t>(task.group)];
+const Dielectric<double>& medium_of(const Plan& plan, int group, int region) {
+    const auto medium = static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium);
+    return plan.groups[static_cast<std::size_t>(group)].media[medium].dielectric;
+}
 
-    [[nodiscard]] const Dielectric<double>& medium(int region) const {
-        return group.media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium)].dielectric;
-    }
-};
+/// Index of a wavelength among those of its group.
+std::size_t place_in_group(const WavelengthGroup& group, int wavelength) {
+    const std::vector<int>& members = group.wavelengths;
+    return static_cast<std::size_t>(std::find(members.begin(), members.end(), wavelength) - members.begin());
+}
 
 /// `node` as if the camera looked straight at it: the kernel's functions then give the light on it and the single step.
 Node with_unit_throughput(Node node) {
-    node.throughput = Throughput::identity();
+    node.throughput = Throughput<double>::identity();
     if (node.wave.kind != WaveKind::pair) node.throughput.m[1][1] = Complex<double>(0.0);
     return node;
 }
@@ -54,35 +53,21 @@ double kept(const RayTreeNode& node) {
     return node.start.weight > 0.0 ? node.end.weight / node.start.weight : 0.0;
 }
 
-/// Light that a leaf hands to its start: the emitter's coherence matrix in the field basis, absorption included.
-CoherenceMatrix<double> leaf_source(const Gathering& g, const RayTreeNode& leaf) {
-    const Node node = with_unit_throughput(leaf.end);
-    std::vector<Stokes<double>> light(g.group.wavelengths.size());
-    const double camera_n = g.medium(g.task.region).n;
-    if (leaf.reason == LeafReason::background) {
-        background_light(g.plan, g.group, node, camera_n, light);
-    } else if (leaf.reason == LeafReason::emitter) {
-        const auto& role = std::get<EmitterRole>(g.plan.surface(leaf.crossing.body).role);
-        emitter_light(g.plan, g.task.group, g.plan.emitters[static_cast<std::size_t>(role.emitter)], node,
-                      leaf.crossing, camera_n, light);
-    }
-    return to_coherence(kept(leaf) * light[g.place]);
-}
-
 /// The step at the end of `parent` once more, with M = 1: its branches carry the matrices from their starts to the end
 /// of the parent.
-void repeat_step(const Gathering& g, const RayTreeNode& parent, Branches& branches) {
+void repeat_step(const Plan& plan, int group, const RayTreeNode& parent, Branches& branches) {
     const Node node = with_unit_throughput(parent.end);
-    if (!g.plan.is_solid(parent.crossing.body)) {
-        const auto& role = std::get<SheetRole>(g.plan.surface(parent.crossing.body).role);
+    if (!plan.is_solid(parent.crossing.body)) {
+        const auto& role = std::get<SheetRole>(plan.surface(parent.crossing.body).role);
         branches.clear();
         branches.node[0] = through_sheet(node, role.sheet, {});
         branches.count = 1;
         return;
     }
-    const FarSide far = far_side(g.plan, node.region, parent.crossing, node.origin);
+    const FarSide far = far_side(plan, node.region, parent.crossing, node.origin);
     const double sense = dot(parent.crossing.normal, node.wave.ray) < 0.0 ? -1.0 : 1.0;
-    cross_boundary(node, g.medium(node.region), g.medium(far.region), parent.crossing.normal * sense, branches);
+    cross_boundary(node, medium_of(plan, group, node.region), medium_of(plan, group, far.region),
+                   parent.crossing.normal * sense, branches);
 }
 
 /// The branch of the step that `child` is: there are none or one of a kind.
@@ -97,16 +82,16 @@ const Node* same_branch(const Branches& branches, const RayTreeNode& child) {
 }
 
 /// Light that the branches of `parent` bring to its start. `branches` is scratch.
-CoherenceMatrix<double> light_of_children(const Gathering& g, const RayTree& tree, const RayTreeNode& parent,
+CoherenceMatrix<double> light_of_children(const Plan& plan, const Explanation& explanation, const RayTreeNode& parent,
                                           Branches& branches) {
     CoherenceMatrix<double> sum;
     if (parent.children.empty()) return sum;
-    repeat_step(g, parent, branches);
+    repeat_step(plan, explanation.task.group, parent, branches);
     for (const int index : parent.children) {
-        const RayTreeNode& child = tree.nodes[static_cast<std::size_t>(index)];
+        const RayTreeNode& child = explanation.tree.nodes[static_cast<std::size_t>(index)];
         const Node* branch = same_branch(branches, child);
         if (child.estimated || branch == nullptr) continue;
-        Throughput step = branch->throughput;
+        Throughput<double> step = branch->throughput;
         step.scale(std::sqrt(kept(parent)));
         sum += to_coherence(step.gather(*child.arriving));
     }
@@ -121,7 +106,8 @@ CoherenceMatrix<double> depolarized(const CoherenceMatrix<double>& c, WaveKind k
 }
 
 /// Children are born after their parents, so one sweep from the back gathers the light. False: not wanted any more.
-bool gather(const Gathering& g, RayTree& tree, const KeepGoing& keep_going) {
+bool gather(const Plan& plan, Explanation& explanation, const KeepGoing& keep_going) {
+    RayTree& tree = explanation.tree;
     Branches branches;
     std::size_t done = 0;
     for (auto node = tree.nodes.rbegin(); node != tree.nodes.rend(); ++node) {
@@ -129,13 +115,33 @@ bool gather(const Gathering& g, RayTree& tree, const KeepGoing& keep_going) {
         node->share += node->light;
         for (const int child : node->children) node->share += tree.nodes[static_cast<std::size_t>(child)].share;
         if (node->estimated) continue;
-        node->arriving = node->reason ? leaf_source(g, *node) : light_of_children(g, tree, *node, branches);
-        if (g.plan.settings.unpolarized) node->arriving = depolarized(*node->arriving, node->start.wave.kind);
+        node->arriving = node->reason ? kept(*node) * leaf_source(plan, explanation, *node, node->end.wave)
+                                      : light_of_children(plan, explanation, *node, branches);
+        if (plan.settings.unpolarized) node->arriving = depolarized(*node->arriving, node->start.wave.kind);
     }
     return true;
 }
 
 }  // namespace
+
+CoherenceMatrix<double> leaf_source(const Plan& plan, const Explanation& explanation, const RayTreeNode& leaf,
+                                    const Wave<double>& wave) {
+    const int index = explanation.task.group;
+    const WavelengthGroup& group = plan.groups[static_cast<std::size_t>(index)];
+    Node node = leaf.end;
+    node.wave = wave;
+    node = with_unit_throughput(node);
+    std::vector<Stokes<double>> light(group.wavelengths.size());
+    const double camera_n = medium_of(plan, index, explanation.task.region).n;
+    if (leaf.reason == LeafReason::background) {
+        background_light(plan, group, node, camera_n, light);
+    } else if (leaf.reason == LeafReason::emitter) {
+        const auto& role = std::get<EmitterRole>(plan.surface(leaf.crossing.body).role);
+        emitter_light(plan, index, plan.emitters[static_cast<std::size_t>(role.emitter)], node, leaf.crossing, camera_n,
+                      light);
+    }
+    return to_coherence(light[place_in_group(group, explanation.wavelength)]);
+}
 
 std::optional<Explanation> explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength,
                                    const KeepGoing& keep_going) {
@@ -146,20 +152,19 @@ std::optional<Explanation> explain(const Plan& plan, int x, int y, std::uint32_t
     out.sample = sample;
     out.wavelength = wavelength;
     const int group = plan.group_of_wavelength[static_cast<std::size_t>(wavelength)];
-    const std::vector<int>& members = plan.groups[static_cast<std::size_t>(group)].wavelengths;
-    const auto place =
-        static_cast<std::size_t>(std::find(members.begin(), members.end(), wavelength) - members.begin());
+    const WavelengthGroup& wavelengths = plan.groups[static_cast<std::size_t>(group)];
+    const std::size_t place = place_in_group(wavelengths, wavelength);
     out.task = sample_task(plan, x, y, sample, group);
 
     TreeRecorder recorder(place, keep_going);
-    std::vector<Stokes<double>> sums(members.size());
+    std::vector<Stokes<double>> sums(wavelengths.wavelengths.size());
     out.result = trace_with(plan, out.task, recorder, sums);
     if (out.result.cancelled) return std::nullopt;
     out.tree = std::move(recorder.tree);
-    if (!gather({plan, out.task, place}, out.tree, keep_going)) return std::nullopt;
+    if (!gather(plan, out, keep_going)) return std::nullopt;
 
     Patient silent{{}, keep_going, out.tree.nodes.size()};
-    sums.assign(members.size(), {});
+    sums.assign(wavelengths.wavelengths.size(), {});
     if (trace_with(plan, out.task, silent, sums).cancelled) return std::nullopt;
     out.sample_light = sums[place];
     for (const int leaf : out.tree.leaves) {

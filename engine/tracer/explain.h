@@ -33,4 +33,9 @@ Explanation explain(const Plan& plan, int x, int y, std::uint32_t sample, int wa
 std::optional<Explanation> explain(const Plan& plan, int x, int y, std::uint32_t sample, int wavelength,
                                    const KeepGoing& keep_going);
 
+/// Coherence matrix of the light that a leaf's source sends back along `wave`, in the wave's field vectors (a single
+/// mode uses xx only): basic radiance times n_camera^2. Zero unless leaf.brings_light().
+CoherenceMatrix<double> leaf_source(const Plan& plan, const Explanation& explanation, const RayTreeNode& leaf,
+                                    const Wave<double>& wave);
+
 }  // namespace pol

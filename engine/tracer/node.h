@@ -11,9 +11,9 @@ namespace pol {
 /// An open branch of a backward tree: a ray that has not yet been followed to its next surface.
 struct Node {
     DVec3 origin{};
-    Wave<double> wave{};      ///< k, ray and field vectors; the ray points away from the camera
-    Throughput throughput{};  ///< from wave.field to the camera frame
-    double weight = 0.0;      ///< throughput.weight()
+    Wave<double> wave{};              ///< k, ray and field vectors; the ray points away from the camera
+    Throughput<double> throughput{};  ///< from wave.field to the camera frame
+    double weight = 0.0;              ///< throughput.weight()
     Left left{};
     int region = 0;
     int depth = 0;  ///< interfaces met so far

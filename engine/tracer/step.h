@@ -49,7 +49,7 @@ inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>&
     const double sin2 = length2(across);
     const DVec3 s = sin2 > nearly_normal ? across / std::sqrt(sin2) : node.wave.field[0];
     const DVec3 p = cross(d, s);
-    const Throughput m = in_basis(node.throughput, node.wave.field, s, p);
+    const Throughput<double> m = in_basis(node.throughput, node.wave.field, s, p);
 
     const auto add = [&](Side side, const DVec3& ray, double n, const Complex<double>& a_s,
                          const Complex<double>& a_p) {
@@ -95,7 +95,7 @@ inline void cross_crystal_boundary(const Node& node, const Dielectric<double>& f
         return;
     }
     const bool pair = response.incident_modes == 2;
-    const Throughput m =
+    const Throughput<double> m =
         pair ? in_basis(node.throughput, node.wave.field, response.incident_field[0], response.incident_field[1])
              : node.throughput;
     for (int i = 0; i < response.outgoing_count; ++i) {
@@ -103,13 +103,7 @@ inline void cross_crystal_boundary(const Node& node, const Dielectric<double>& f
         Node& child = out.node[out.count];
         out.side[out.count++] = wave.side;
         child.wave = wave.wave;
-        child.throughput = {};
-        for (int row = 0; row < 2; ++row)
-            for (int mode = 0; mode < wave.wave.mode_count(); ++mode) {
-                const auto& a = wave.amplitude[static_cast<std::size_t>(mode)];
-                child.throughput.m[row][mode] = m.m[row][0] * a[0];
-                if (pair) child.throughput.m[row][mode] += m.m[row][1] * a[1];
-            }
+        child.throughput = on_wave(m, wave, response.incident_modes);
         child.weight = child.throughput.weight();
     }
     if (response.absorbs) {
@@ -136,11 +130,8 @@ inline void cross_boundary(const Node& node, const Dielectric<double>& from, con
 inline Node through_sheet(const Node& node, const Sheet& sheet, const Left& left) {
     Node child = node;
     child.left = left;
-    const auto jones = sheet_jones(sheet, -node.wave.ray, node.wave.field[0], node.wave.field[1]);
-    for (int row = 0; row < 2; ++row)
-        for (std::size_t column = 0; column < 2; ++column)
-            child.throughput.m[row][column] =
-                node.throughput.m[row][0] * jones[0][column] + node.throughput.m[row][1] * jones[1][column];
+    child.throughput =
+        behind_sheet(node.throughput, sheet_jones(sheet, -node.wave.ray, node.wave.field[0], node.wave.field[1]));
     child.weight = child.throughput.weight();
     return child;
 }

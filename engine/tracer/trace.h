@@ -116,7 +116,7 @@ private:
         root.wave.k = task.ray.direction * camera_n_;
         root.wave.field[0] = task.ray.x;
         root.wave.field[1] = task.ray.y;
-        root.throughput = Throughput::identity();
+        root.throughput = Throughput<double>::identity();
         root.weight = 1.0;
         root.region = task.region;
         root.id = next_id_++;
@@ -267,7 +267,7 @@ private:
             child.depth = parent.depth + 1;
             if (child.weight == 0.0) continue;
             if (plan_.settings.unpolarized)
-                child.throughput = Throughput::of_weight(child.weight, child.wave.mode_count());
+                child.throughput = Throughput<double>::of_weight(child.weight, child.wave.mode_count());
             child.id = next_id_++;
             observer_.opened(child, parent.id, interaction_of(i));
             if (!std::isfinite(child.weight)) {

@@ -31,7 +31,7 @@ TEST(Step, SharesOutAllEnergyHoweverCloseToTheNormalTheRayIs) {
         node.wave.ray = unit(normal + tilt * random_direction(i, 2));
         node.wave.field[0] = any_perpendicular(node.wave.ray);
         node.wave.field[1] = cross(node.wave.ray, node.wave.field[0]);
-        node.throughput = Throughput::identity();
+        node.throughput = Throughput<double>::identity();
         node.weight = 1.0;
         cross_isotropic_boundary(node, i % 2 == 0 ? air : glass, i % 2 == 0 ? glass : air, normal, branches);
         ASSERT_EQ(branches.count, 2) << i;
