@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/contract.h"
+#include "core/vec.h"
 #include "maps/color_picture.h"
 #include "polarization/coherence_matrix.h"
 #include "polarization/measures.h"
@@ -26,7 +27,8 @@ public:
     }
     void list(double error) { errors_.push_back(error); }
 
-    [[nodiscard]] double root_mean() const { return weights_ > 0.0 ? std::sqrt(squares_ / weights_) : 0.0; }
+    [[nodiscard]] double mean_square() const { return weights_ > 0.0 ? squares_ / weights_ : 0.0; }
+    [[nodiscard]] double root_mean() const { return std::sqrt(mean_square()); }
     /// Per-pixel values divided by `unit`.
     [[nodiscard]] Metric metric(double whole, double unit) {
         Metric result;
@@ -45,6 +47,13 @@ private:
     std::vector<double> errors_;
 };
 
+/// Half the angle between two states on the Poincare sphere, from the cross product too: acos loses half the digits.
+double half_poincare_angle(const Stokes<double>& a, const Stokes<double>& b) {
+    const DVec3 u(a.s1, a.s2, a.s3);
+    const DVec3 v(b.s1, b.s2, b.s3);
+    return 0.5 * std::atan2(std::sqrt(length2(cross(u, v))), dot(u, v));
+}
+
 }  // namespace
 
 ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference) {
@@ -56,7 +65,7 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
     for (const Stokes<double>& s : reference.stokes)
         if (is_finite(s)) brightest = std::max(brightest, s.s0);
 
-    Accumulator fro, s0, analyzer, dop, azimuth, ellipticity;
+    Accumulator fro, s0, relative_s0, analyzer, dop, azimuth, ellipticity, poincare;
     double fro_of_reference = 0.0;
     double s0_of_reference = 0.0;
     double count = 0.0;
@@ -79,6 +88,10 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
         fro.list(fro_error);
         s0.weigh(d.s0, 1.0);
         s0.list(std::abs(d.s0));
+        if (const double scale = r.s0 + 0.01 * brightest; scale > 0.0) {
+            relative_s0.weigh(d.s0 / scale, 1.0);
+            relative_s0.list(d.s0 * d.s0 / (scale * scale));
+        }
         analyzer.list(0.5 * (std::abs(d.s0) + difference));
         if (!(r.s0 > 0.0) || !(t.s0 > 0.0)) continue;
         const Measures<double> of_reference = measure(r);
@@ -94,18 +107,38 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
         if (of_reference.has_polarization && of_test.has_polarization) {
             const double angle = std::abs(of_test.ellipticity_angle - of_reference.ellipticity_angle);
             ellipticity.weigh(angle, polarized);
-            if (polarized > faint * brightest) ellipticity.list(angle);
+            const double on_sphere = half_poincare_angle(t, r);
+            poincare.weigh(on_sphere, polarized);
+            if (!(polarized > faint * brightest)) continue;
+            ellipticity.list(angle);
+            poincare.list(on_sphere);
         }
     }
     const double fro_unit = count > 0.0 ? std::sqrt(fro_of_reference / count) : 0.0;
     const double s0_unit = count > 0.0 ? std::sqrt(s0_of_reference / count) : 0.0;
     result.fro_c = fro.metric(fro_unit > 0.0 ? fro.root_mean() / fro_unit : 0.0, fro_unit);
     result.rel_rmse_s0 = s0.metric(s0_unit > 0.0 ? s0.root_mean() / s0_unit : 0.0, s0_unit);
+    result.mrse_s0 = relative_s0.metric(relative_s0.mean_square(), 1.0);
     result.analyzer_inf = analyzer.metric(0.0, 1.0);
     result.analyzer_inf.whole = result.analyzer_inf.largest;
     result.dop_w = dop.metric(dop.root_mean(), 1.0);
     result.azimuth_w = azimuth.metric(azimuth.root_mean(), 1.0);
     result.ellip_w = ellipticity.metric(ellipticity.root_mean(), 1.0);
+    result.poincare_w = poincare.metric(poincare.root_mean(), 1.0);
+    return result;
+}
+
+LightDefects light_defects(const StokesImage& image, double rounding) {
+    POL_EXPECTS(image.brightest.size() == image.wavelengths_nm.size());
+    LightDefects result;
+    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
+        const double brightest = image.brightest[w];
+        for (std::size_t p = 0; p < image.pixel_count(); ++p) {
+            const Stokes<double>& s = image.at(w, p);
+            if (polarized_part(s) - s.s0 > rounding * brightest) ++result.not_psd;
+            if (brightest > 0.0) result.s0_over_max = std::max(result.s0_over_max, s.s0 / brightest);
+        }
+    }
     return result;
 }
 

@@ -27,6 +27,9 @@ struct ErrorMetrics {
     Metric fro_c;
     /// sqrt(mean dS0^2) / sqrt(mean S0^2). Per pixel: |dS0| over the same denominator.
     Metric rel_rmse_s0;
+    /// mean (dS0/(S0 + S0max/100))^2, S0max the largest of the reference: pbrt's MRSE with its 0.01 in units of the
+    /// picture, so that it does not depend on the unit of radiance. Per pixel: what is averaged.
+    Metric mrse_s0;
     /// (|dS0| + |ds|)/2, the spectral norm of dC: worst error of any intensity behind any polarizer, in units of S0.
     /// `whole` is the largest one.
     Metric analyzer_inf;
@@ -38,6 +41,10 @@ struct ErrorMetrics {
     /// sqrt(sum |s| dchi^2 / sum |s|), chi the ellipticity angle, radians. Per pixel: |dchi| where |s| > 1e-3 of the
     /// largest S0.
     Metric ellip_w;
+    /// sqrt(sum |s| g^2 / sum |s|), g half the angle between the states on the Poincare sphere, radians, 0 to pi/2:
+    /// azimuth and ellipticity in one number. It is the distance of the azimuths of linear states, and of the
+    /// ellipticity angles of states of one azimuth. Per pixel: g where |s| > 1e-3 of the largest S0.
+    Metric poincare_w;
     std::size_t nan_count = 0;  ///< numbers that are not finite in either picture; they are left out of the sums
 };
 
@@ -47,15 +54,26 @@ struct NamedMetric {
     Metric ErrorMetrics::*metric;
     std::string_view unit;  ///< empty: a pure number
 };
-inline constexpr std::array<NamedMetric, 6> named_metrics{{{"fro_c", &ErrorMetrics::fro_c, ""},
+inline constexpr std::array<NamedMetric, 8> named_metrics{{{"fro_c", &ErrorMetrics::fro_c, ""},
                                                            {"rel_rmse_s0", &ErrorMetrics::rel_rmse_s0, ""},
+                                                           {"mrse_s0", &ErrorMetrics::mrse_s0, ""},
                                                            {"analyzer_inf", &ErrorMetrics::analyzer_inf, "S0"},
                                                            {"dop_w", &ErrorMetrics::dop_w, ""},
                                                            {"azimuth_w", &ErrorMetrics::azimuth_w, "rad"},
-                                                           {"ellip_w", &ErrorMetrics::ellip_w, "rad"}}};
+                                                           {"ellip_w", &ErrorMetrics::ellip_w, "rad"},
+                                                           {"poincare_w", &ErrorMetrics::poincare_w, "rad"}}};
 
 /// Requires: same size and same number of wavelengths.
 ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference);
+
+/// What in a picture cannot be light.
+struct LightDefects {
+    std::size_t not_psd = 0;   ///< numbers whose coherence matrix has a negative eigenvalue: |s| > S0
+    double s0_over_max = 0.0;  ///< largest S0 over brightest: must not exceed 1
+};
+
+/// `rounding`: of S0, relative to brightest; |s| may exceed S0 by it. Requires: `brightest` is known.
+LightDefects light_defects(const StokesImage& image, double rounding);
 
 /// Root mean square of |C|_F over pixels and wavelengths: the unit of fro_c.
 double matrix_rms(const StokesImage& image);

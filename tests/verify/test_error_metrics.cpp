@@ -82,6 +82,55 @@ TEST(ErrorMetrics, ThePrimaryMetricDoesNotDependOnTheFrame) {
                 error_metrics(turned(test), turned(reference)).fro_c.whole, rounding);
 }
 
+// sin, cos of 2 chi and 2 psi: the distance of two states of one azimuth is that of their ellipticity angles, the
+// distance of two linear states that of their azimuths, and right and left circular are opposite.
+TEST(ErrorMetrics, HalfTheAngleOnThePoincareSphereIsAzimuthForLinearAndEllipticityForAlignedStates) {
+    const auto state = [](double azimuth, double ellipticity_angle) {
+        const double c = std::cos(2.0 * ellipticity_angle);
+        return picture_of(
+            {{2.0, c * std::cos(2.0 * azimuth), c * std::sin(2.0 * azimuth), std::sin(2.0 * ellipticity_angle)}});
+    };
+    const auto distance = [&](const StokesImage& a, const StokesImage& b) {
+        return error_metrics(a, b).poincare_w.whole;
+    };
+    EXPECT_NEAR(distance(state(radians(89.0), 0.0), state(radians(-89.0), 0.0)), radians(2.0), rounding);
+    EXPECT_NEAR(distance(state(0.4, 0.3), state(0.4, -0.2)), 0.5, rounding);
+    EXPECT_NEAR(distance(state(0.0, pi / 4.0), state(0.0, -pi / 4.0)), pi / 2.0, rounding);
+    // Azimuth along a circle of latitude: cos g' = sin^2 2chi + cos^2 2chi cos 2dpsi, g' = 2 g.
+    const double c = std::cos(0.6);
+    EXPECT_NEAR(distance(state(0.1, 0.3), state(0.4, 0.3)), 0.5 * std::acos(1.0 - c * c * (1.0 - std::cos(0.6))),
+                rounding);
+}
+
+// Weights are |s| of the reference: 1/2 and 1/4 for distances of 0.3 and 0.
+TEST(ErrorMetrics, ThePoincareDistanceIsWeightedByThePolarizedPart) {
+    const StokesImage reference = picture_of({{1.0, 0.5, 0.0, 0.0}, {1.0, 0.0, 0.25, 0.0}});
+    StokesImage test = reference;
+    test.stokes[0] = {1.0, 0.5 * std::cos(0.6), 0.5 * std::sin(0.6), 0.0};
+    const Metric metric = error_metrics(test, reference).poincare_w;
+    EXPECT_NEAR(metric.whole, 0.3 * std::sqrt(2.0 / 3.0), rounding);
+    EXPECT_NEAR(metric.largest, 0.3, rounding);
+}
+
+// (0.1/(1 + 0.01))^2 and (0.02/(0 + 0.01))^2: a black pixel counts against a hundredth of the brightest. The unit of
+// radiance does not matter.
+TEST(ErrorMetrics, TheMeanRelativeSquareErrorCountsDarkPixelsAgainstAHundredthOfTheBrightest) {
+    for (const double unit : {1.0, 1024.0}) {
+        const Metric metric = error_metrics(picture_of({{1.1 * unit, 0.0, 0.0, 0.0}, {0.02 * unit, 0.0, 0.0, 0.0}}),
+                                            picture_of({{unit, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}}))
+                                  .mrse_s0;
+        EXPECT_NEAR(metric.whole, 0.5 * (0.01 / (1.01 * 1.01) + 4.0), 4.0 * rounding);
+        EXPECT_NEAR(metric.largest, 4.0, 4.0 * rounding);
+    }
+}
+
+TEST(LightDefects, AreStatesThatNoLightHasAndRadianceAboveTheBrightest) {
+    const StokesImage image = picture_of({{1.0, 0.6, 0.0, 0.8}, {0.5, 0.3, 0.0, 0.5}, {1.25, 0.0, 0.0, 0.0}});
+    const LightDefects defects = light_defects(image, rounding);
+    EXPECT_EQ(defects.not_psd, 1U);
+    EXPECT_EQ(defects.s0_over_max, 1.25);
+}
+
 TEST(ErrorMetrics, NumbersThatAreNoneAreCountedAndLeftOut) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const ErrorMetrics metrics = error_metrics(picture_of({{nan, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}),
