@@ -61,7 +61,8 @@ struct Invariant {
     std::function<InvariantResult(const SceneUnderTest&)> check;
 };
 
-/// In the order in which a report shows them.
+/// In the order in which a report shows them. Those that look at trees do so at the first, middle and last wavelength
+/// of every pixel, and at the others in turn from pixel to pixel.
 const std::vector<Invariant>& invariants();
 
 // One function each.

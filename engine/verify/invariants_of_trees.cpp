@@ -2,6 +2,7 @@
 // Invariants of one picture and of the trees that make it.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "polarization/measures.h"
 #include "tracer/explain.h"
@@ -11,12 +12,25 @@ namespace pol::verify {
 
 namespace {
 
-/// Calls `look` with the explanation of every pixel, sample 0, at the first wavelength.
+/// Wavelengths at which a pixel's trees are looked at: the first, the middle and the last at every pixel, the others in
+/// turn from pixel to pixel, so that the picture as a whole leaves none out.
+std::vector<int> wavelengths_at(int pixel, int pixels, int wavelengths) {
+    std::vector<int> chosen{0, wavelengths / 2, wavelengths - 1, pixel % wavelengths};
+    for (int w = pixel + pixels; w < wavelengths; w += pixels) chosen.push_back(w);
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    return chosen;
+}
+
+/// Calls `look` with the explanations of every pixel, sample 0, at its wavelengths.
 template <class Look>
 void for_each_tree(const SceneUnderTest& test, const Look& look) {
+    const std::vector<double>& nm = test.plan->wavelengths_nm;
+    const int pixels = test.image.width * test.image.height;
     for (int y = 0; y < test.image.height; ++y)
         for (int x = 0; x < test.image.width; ++x)
-            look(explain(*test.plan, x, y, 0, 0), WorstPixel{x, y, test.plan->wavelengths_nm[0]});
+            for (const int w : wavelengths_at(y * test.image.width + x, pixels, static_cast<int>(nm.size())))
+                look(explain(*test.plan, x, y, 0, w), WorstPixel{x, y, nm[static_cast<std::size_t>(w)]});
 }
 
 }  // namespace
@@ -106,7 +120,8 @@ InvariantResult is_the_sum_of_its_leaves(const SceneUnderTest& test) {
     Tally tally;
     for_each_tree(test, [&](const Explanation& e, const WorstPixel& at) {
         const bool one_sample = test.plan->settings.samples_per_pixel == 1;
-        const bool same = !one_sample || e.sample_light == test.image.at(0, test.image.pixel(at.x, at.y));
+        const bool same = !one_sample || e.sample_light == test.image.at(static_cast<std::size_t>(e.wavelength),
+                                                                         test.image.pixel(at.x, at.y));
         tally.add_exact(e.exact() && same, at);
     });
     return tally.result();

@@ -116,6 +116,29 @@ TEST(Invariants, FindTheOnePixelOfAPictureThatIsWrong) {
     finds(is_physical);
 }
 
+// All at every pixel; more than a pixel is looked at; more than there are pixels.
+TEST(Invariants, LookAtTheTreesOfEveryWavelength) {
+    for (const std::size_t wavelengths : {std::size_t{3}, std::size_t{8}, std::size_t{13}}) {
+        Scene scene = glass_ball().scene;
+        scene.render.width = scene.render.height = 3;
+        scene.render.wavelengths_nm.clear();
+        for (std::size_t w = 0; w < wavelengths; ++w)
+            scene.render.wavelengths_nm.push_back(400.0 + 20.0 * static_cast<double>(w));
+        const SceneUnderTest right = under_test(scene).value();
+        EXPECT_EQ(is_the_sum_of_its_leaves(right).outcome, Outcome::pass);
+        for (std::size_t w = 0; w < wavelengths; ++w) {
+            SceneUnderTest wrong = right;
+            for (std::size_t p = 0; p < wrong.image.pixel_count(); ++p)
+                wrong.image.stokes[w * wrong.image.pixel_count() + p].s0 += 1e-9;
+            const InvariantResult result = is_the_sum_of_its_leaves(wrong);
+            EXPECT_EQ(result.outcome, Outcome::fail) << w << " of " << wavelengths;
+            ASSERT_TRUE(result.worst_pixel);
+            EXPECT_EQ(result.worst_pixel->wavelength_nm, scene.render.wavelengths_nm[w]);
+        }
+        EXPECT_LE(is_the_sum_of_its_leaves(right).tested, 5U * right.image.pixel_count());
+    }
+}
+
 TEST(ErrorBars, ContradictEachOtherWhereThePictureIsOffByMoreThanItSays) {
     const SceneUnderTest scene = glass_ball();
     StokesImage other = scene.image;
