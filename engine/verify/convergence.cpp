@@ -14,9 +14,9 @@
 #include "io/scene_hash.h"
 #include "plan/compile.h"
 #include "render/renderer.h"
+#include "verify/invariants.h"
 #include "verify/machine.h"
 #include "verify/picture_parts.h"
-#include "verify/scene_twins.h"
 
 namespace pol::verify {
 
@@ -31,6 +31,7 @@ double seconds_since(Clock::time_point start) {
 struct Shot {
     StokesImage image;
     RenderStatistics statistics{};
+    std::string kernel;
     double trees = 1.0;  ///< per sample: wavelengths that share no tree have their own
     double compile_s = 0.0;
     double wall_s = 0.0;
@@ -46,11 +47,7 @@ public:
 
 private:
     /// Empty when the user stops it; an error if the scene does not compile.
-    Result<std::optional<Shot>> shoot(Scene scene, const RenderSettings& settings, SolidKernel kernel);
-    Result<std::optional<Shot>> shoot(const RenderSettings& settings, SolidKernel kernel) {
-        return shoot(request_.scene, settings, kernel);
-    }
-    Result<Done> measure_rounding();
+    Result<std::optional<Shot>> shoot(const RenderSettings& settings, SolidKernel kernel);
     Result<Done> find_reference();
     Result<Done> load_rows();
     Result<bool> measure_setting(const RunSetting& setting, std::uint64_t seed);
@@ -115,7 +112,8 @@ const RunRow* Sweep::row_of(const RunSetting& setting, std::uint64_t seed) const
     return found == result_.rows.end() ? nullptr : &*found;
 }
 
-Result<std::optional<Shot>> Sweep::shoot(Scene scene, const RenderSettings& settings, SolidKernel kernel) {
+Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, SolidKernel kernel) {
+    Scene scene = request_.scene;
     scene.render = settings;
     Shot shot;
     const auto compiling = Clock::now();
@@ -123,6 +121,7 @@ Result<std::optional<Shot>> Sweep::shoot(Scene scene, const RenderSettings& sett
     if (!plan) return plan.error();
     shot.compile_s = seconds_since(compiling);
     shot.trees = static_cast<double>(plan.value()->groups.size());
+    shot.kernel = plan.value()->features.kernel;
     Renderer renderer(request_.threads);
     const auto start = Clock::now();
     const double cpu_start = cpu_seconds();
@@ -263,6 +262,13 @@ void Sweep::fill_errors(RunRow& row, const Shot& shot, const RenderSettings& set
     row.nan_count = static_cast<double>(metrics.nan_count);
     row.energy_defect = shot.statistics.worst_energy_defect;
     row.failures = static_cast<double>(shot.statistics.failures);
+    const LightDefects defects = light_defects(shot.image, tree_rounding(shot.statistics.most_nodes));
+    row.psd_violations = static_cast<double>(defects.not_psd);
+    row.s0_over_max = defects.s0_over_max;
+    if (result_.rounding) {
+        row.floating_point = result_.rounding->fro_c;
+        row.topology_changes = static_cast<double>(result_.rounding->other_branches + result_.rounding->beyond_edge);
+    }
     if (settings.wavelengths_nm.size() > 2)
         row.spectral = color_difference(every_second_wavelength(shot.image), shot.image);
     if (!first_seed || settings.samples_per_pixel > few_convergence_samples) return;
@@ -304,10 +310,14 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     row.scene = request_.scene_name;
     row.scene_hash = hash_;
     row.mode = settings.mode == SampleMode::area ? "area" : "point";
+    row.kernel = best.kernel;
     row.tool_version = request_.tool_version;
     row.cpu = cpu_;
     row.reference = result_.reference_id;
     row.reference_error = result_.reference_error;
+    for (const double nm : settings.wavelengths_nm)
+        row.wavelengths_nm += (row.wavelengths_nm.empty() ? "" : " ") + number_text(nm);
+    row.cores = hardware_threads();
     row.threads = request_.threads;
     row.width = settings.width;
     row.height = settings.height;
@@ -318,6 +328,7 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     row.wavelengths = static_cast<double>(settings.wavelengths_nm.size());
     row.seed = static_cast<double>(seed);
     row.repeats = repeats;
+    row.load_s = request_.load_s;
     row.compile_s = best.compile_s;
     row.render_wall_s = best.wall_s;
     row.render_cpu_s = best.cpu_s;
@@ -337,25 +348,6 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     return true;
 }
 
-Result<Done> Sweep::measure_rounding() {
-    doing_ = "rounding";
-    constexpr int depth = 6;
-    const Scene scene = cut_by_depth(request_.scene, depth);
-    // A turn that no axis of the world survives.
-    const DVec3 x = unit(DVec3(2.0, -1.0, 0.5));
-    const DVec3 y = unit(cross(DVec3(0.3, 1.0, 0.7), x));
-    const Scene turned = carried(scene, DMat3(x, y, cross(x, y)), 1.0, DVec3(0.0));
-    std::vector<StokesImage> images;
-    for (const Scene& one : {scene, turned}) {
-        auto shot = shoot(one, one.render, SolidKernel::half_spaces);
-        if (!shot) return shot.error();
-        if (!shot.value()) return Done{};
-        images.push_back(std::move(shot.value()->image));
-    }
-    result_.rounding = rounding_error(images[0], images[1]);
-    return Done{};
-}
-
 Result<ConvergenceResult> Sweep::run() {
     auto plan = compile(request_.scene);
     if (!plan) return plan.error();
@@ -363,6 +355,8 @@ Result<ConvergenceResult> Sweep::run() {
     if (auto found = find_reference(); !found) return found.error();
     if (stopped_) return std::move(result_);
     if (auto loaded = load_rows(); !loaded) return loaded.error();
+    result_.rounding = rounding_error(*plan.value(), [this](std::size_t) { return tell("rounding, in 128 bit"); });
+    if (stopped_) return std::move(result_);
 
     doing_ = "warm-up";
     if (auto warm = shoot(settings_.front().settings, SolidKernel::half_spaces); !warm) return warm.error();
@@ -375,9 +369,6 @@ Result<ConvergenceResult> Sweep::run() {
             const auto measured = measure_setting(setting, static_cast<std::uint64_t>(seed));
             if (!measured) return measured.error();
         }
-    }
-    if (!stopped_) {
-        if (auto measured = measure_rounding(); !measured) return measured.error();
     }
     result_.complete = !stopped_;
     return std::move(result_);

@@ -30,7 +30,8 @@ struct ConvergenceRequest {
     std::optional<std::filesystem::path> reference;  ///< instead of our own
     int threads = 1;
     int seeds = 5;
-    int most_repeats = 20;  ///< of a short render, for its shortest time
+    int most_repeats = 20;         ///< of a short render, for its shortest time
+    double load_s = not_measured;  ///< what reading the scene took
     std::string tool_version;
 };
 

@@ -106,6 +106,7 @@ std::string budget_bar(const ErrorBudget& budget) {
         double value;
         const char* color;
     };
+    // Rounding would be too thin to see.
     const std::vector<Part> parts{{"truncation", budget.truncation, "#3b7dd8"},
                                   {"sampling", budget.sampling, "#d87b3b"},
                                   {"spectral", budget.spectral, "#7a4fc0"}};
@@ -231,18 +232,17 @@ std::string convergence_section(const ConvergenceRequest& request, const Converg
     body +=
         "<h3>The error taken apart</h3>\n<p><span style=\"color:#3b7dd8\">truncation</span>: against a deeper render "
         "of the same samples; <span style=\"color:#d87b3b\">sampling</span>: scatter of independent seeds; <span "
-        "style=\"color:#7a4fc0\">spectral</span>: color against every second wavelength. Empty: does not apply.</p>\n"
+        "style=\"color:#7a4fc0\">spectral</span>: color against every second wavelength; floating point: of the scene "
+        "at "
+        "its own settings. Empty: does not apply.</p>\n"
         "<table>" +
-        row_of({"setting", "truncation", "its bound", "sampling", "spectral", "shares"}, "th");
+        row_of({"setting", "truncation", "its bound", "sampling", "spectral", "floating point", "shares"}, "th");
     for (const ErrorBudget& budget : error_budgets(result.rows))
-        body += row_of({budget.setting, number(budget.truncation), number(budget.truncation_bound),
-                        number(budget.sampling), number(budget.spectral), budget_bar(budget)});
+        body +=
+            row_of({budget.setting, number(budget.truncation), number(budget.truncation_bound), number(budget.sampling),
+                    number(budget.spectral), number(budget.floating_point), budget_bar(budget)});
     body += "</table>\n";
-    if (result.rounding)
-        body += fmt::format(
-            "<p>Rounding: fro_c {:.1e} against the same scene turned in space, which in exact arithmetic is the same "
-            "picture; {} of {} pixels, where a path fell on another facet, are left out of it.</p>\n",
-            result.rounding->fro_c, result.rounding->other_paths, result.rounding->pixels);
+    if (result.rounding) body += "<p>Floating point: " + text_of(*result.rounding) + ".</p>\n";
     const double coverage = worst_bound_coverage(result.rows);
     if (!std::isnan(coverage))
         body +=

@@ -159,6 +159,7 @@ std::vector<ErrorBudget> error_budgets(const std::vector<RunRow>& rows) {
             budget.truncation_bound = spread(group.second, [](const RunRow& row) { return row.bound_fro; }).middle;
             budget.sampling = root_mean_square(group.second, &RunRow::sampling);
             budget.spectral = spread(group.second, [](const RunRow& row) { return row.spectral; }).middle;
+            budget.floating_point = spread(group.second, [](const RunRow& row) { return row.floating_point; }).middle;
             result.push_back(std::move(budget));
         }
     }

@@ -44,8 +44,8 @@ struct Cheapest {
 };
 std::vector<Cheapest> cheapest(const std::vector<Curve>& curves, const std::vector<double>& errors);
 
-/// Truncation, sampling and spectral error of one setting, kept apart. fro_c each, but for the spectral one, which is a
-/// difference of colors. `not_measured` where it does not apply.
+/// Truncation, sampling, spectral and floating-point error of one setting, kept apart. fro_c each, but for the spectral
+/// one, which is a difference of colors. `not_measured` where it does not apply.
 struct ErrorBudget {
     std::string series;
     std::string setting;
@@ -53,6 +53,7 @@ struct ErrorBudget {
     double truncation_bound = not_measured;
     double sampling = not_measured;
     double spectral = not_measured;
+    double floating_point = not_measured;
 };
 std::vector<ErrorBudget> error_budgets(const std::vector<RunRow>& rows);
 

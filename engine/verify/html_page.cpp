@@ -20,7 +20,7 @@ td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(560px,1fr));gap:1em}figure{margin:0}
 .pictures{display:grid;grid-template-columns:repeat(auto-fill,minmax(230px,1fr));gap:1em}
 img{width:100%;image-rendering:pixelated}svg{width:100%;height:auto}
-.bar{display:flex;width:26em;height:1.1em}.bar span{display:block;height:100%}
+.bar{display:flex;width:18em;height:1.1em}.bar span{display:block;height:100%}
 code{font-size:.95em;overflow-wrap:anywhere}
 )";
 

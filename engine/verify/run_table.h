@@ -25,8 +25,10 @@ struct RunRow {
     std::string kernel;
     std::string tool_version;
     std::string cpu;
-    std::string reference;  ///< where the reference comes from
-    std::string timestamp;  ///< UTC
+    std::string wavelengths_nm;  ///< vacuum, separated by spaces
+    std::string reference;       ///< where the reference comes from
+    std::string timestamp;       ///< UTC
+    double cores = 0;            ///< that the machine has
     double threads = 0;
     double width = 0;
     double height = 0;
@@ -36,10 +38,11 @@ struct RunRow {
     double samples_per_pixel = 0;
     double wavelengths = 0;
     double seed = 0;
-    double repeats = 0;          ///< runs of which the times are the shortest
-    double compile_s = 0.0;      ///< scene to plan
-    double render_wall_s = 0.0;  ///< tracing alone; neither loading nor output
-    double render_cpu_s = 0.0;   ///< user and system time of all threads
+    double repeats = 0;            ///< runs of which the times are the shortest
+    double load_s = not_measured;  ///< scene file to scene, once for all runs
+    double compile_s = 0.0;        ///< scene to plan
+    double render_wall_s = 0.0;    ///< tracing alone; neither loading nor output
+    double render_cpu_s = 0.0;     ///< user and system time of all threads
     double rays = 0;
     double nodes_mean = 0.0;  ///< rays per tree
     double nodes_max = 0;
@@ -53,7 +56,13 @@ struct RunRow {
     double bound_cover = not_measured;  ///< share of pixels whose error the bound holds
     double bound_ratio = not_measured;  ///< median of error / bound
     double spectral = not_measured;     ///< color difference from every second wavelength
-    double energy_defect = 0.0;         ///< largest |resolved + absorbed + residual + tail - 1| of a sample
+    /// fro_c of rounding, on some pixels of the scene at its own settings; and how many of them are another tree, or
+    /// may be, without it (rounding_error.h).
+    double floating_point = not_measured;
+    double topology_changes = not_measured;
+    double energy_defect = 0.0;  ///< largest |resolved + absorbed + residual + tail - 1| of a sample
+    double psd_violations = 0;   ///< numbers with |s| > S0 beyond the rounding of their tree
+    double s0_over_max = 0.0;    ///< largest S0 over the brightest light
     double nan_count = 0;
     double failures = 0;
     double host_load = not_measured;  ///< 1-minute load average when the run began

@@ -59,6 +59,13 @@ TEST(Convergence, TheErrorOfTruncationNeverExceedsItsBound) {
         // The deeper picture is off by at most 1e-6 of a pixel itself; |C|_F has a root mean square above 0.1 here.
         EXPECT_LE(row.truncation, row.bound_fro + 1e-5) << row.series << " " << row.residual_target;
         EXPECT_EQ(row.failures, 0.0);
+        EXPECT_FALSE(row.kernel.empty());
+        EXPECT_EQ(row.psd_violations, 0.0);
+        EXPECT_LE(row.s0_over_max, 1.0 + 1e-11);  // tree_rounding of some 1e4 branches
+        // Rounding of some 1e3 branches and 40 surfaces (tree_rounding), over |C|_F of 0.1.
+        EXPECT_GT(row.floating_point, 0.0);
+        EXPECT_LE(row.floating_point, 1e-11);
+        EXPECT_EQ(row.topology_changes, 0.0);
         ++compared;
     }
     EXPECT_EQ(compared, 12);
