@@ -157,7 +157,13 @@ private:
     void add_leaf(const RayTreeNode& record, WideNode& node) {
         if (record.reason == LeafReason::emitter) arrive(record, node);
         const CoherenceMatrix<double> source = leaf_source(plan_, explanation_, record, rounded(node.wave));
-        sum_.light += node.throughput.gather(widened(source));
+        const Stokes<Quad> light = node.throughput.gather(widened(source));
+        sum_.light += plan_.settings.unpolarized ? Stokes<Quad>{light.s0, Quad(0), Quad(0), Quad(0)} : light;
+    }
+
+    /// As the kernel hands it on to a branch of so many modes.
+    [[nodiscard]] Throughput<Quad> kept(const Throughput<Quad>& behind, int modes) const {
+        return plan_.settings.unpolarized ? Throughput<Quad>::of_weight(behind.weight(), modes) : behind;
     }
 
     bool pass_sheet(const RayTreeNode& record, WideNode& node) {
@@ -166,7 +172,8 @@ private:
         const Wave<Quad>& wave = node.wave;
         const Throughput<Quad> behind =
             behind_sheet(node.throughput, sheet_jones(role.sheet, -wave.ray, wave.field[0], wave.field[1]));
-        for (const int child : record.children) nodes_[static_cast<std::size_t>(child)] = {node.point, wave, behind};
+        for (const int child : record.children)
+            nodes_[static_cast<std::size_t>(child)] = {node.point, wave, kept(behind, wave.mode_count())};
         return !record.children.empty() || !counts(behind);
     }
 
@@ -187,7 +194,7 @@ private:
             const OutgoingWave<Quad>& out = response.outgoing[static_cast<std::size_t>(i)];
             const Throughput<Quad> behind = on_wave(m, out, response.incident_modes);
             if (const std::optional<std::size_t> child = child_of(record, out)) {
-                nodes_[*child] = {node.point, out.wave, behind};
+                nodes_[*child] = {node.point, out.wave, kept(behind, out.wave.mode_count())};
                 ++found;
             } else if (counts(behind)) {
                 return false;

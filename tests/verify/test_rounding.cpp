@@ -60,6 +60,21 @@ TEST(WideReplay, GivesTheLightOfACutFurnaceToThirtyDigitsInABall) {
     EXPECT_LE(roundings(light.s2, Quad(0), depth * surface_operations), 1.0);
 }
 
+// Without polarization every face has the mean reflectance R of s and p, and 1 - (1 - R) R^(depth - 1) is left.
+TEST(WideReplay, GivesTheLightOfTheUnpolarizedTwinToThirtyDigits) {
+    const double offset = 0.6;
+    Scene scene = furnace_sphere(1.5, offset, depth);
+    scene.render.unpolarized = true;
+    const Stokes<Quad> light = wide_look(test::plan_of(scene));
+    const auto [one_face, difference] = cut_furnace_light(Quad(1.5), Quad(offset), 1);  // R_s and R_p: mean, half width
+    const Quad r = one_face;
+    Quad missing = Quad(1) - r;
+    for (int i = 1; i < depth; ++i) missing *= r;
+    EXPECT_LE(roundings(light.s0, Quad(1) - missing, depth * surface_operations), 1.0);
+    EXPECT_GT(abs(difference), Quad(1e-3));
+    EXPECT_EQ(light.s1, Quad(0));
+}
+
 Scene furnace_slab(double n, double size) {
     Scene scene = empty_scene(camera_at({-3.0, 0.0, 4.0}, {0.6, 0.0, -0.8}, {0.8, 0.0, 0.6}));
     scene.background.radiance = ConstantSpectrum{1.0};
