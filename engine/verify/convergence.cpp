@@ -357,6 +357,10 @@ Result<ConvergenceResult> Sweep::run() {
     if (auto loaded = load_rows(); !loaded) return loaded.error();
     result_.rounding = rounding_error(*plan.value(), [this](std::size_t) { return tell("rounding, in 128 bit"); });
     if (stopped_) return std::move(result_);
+    result_.anytime = anytime_curve(plan.value(), reference_, request_.threads,
+                                    [this](std::size_t) { return tell("one render as it grows"); });
+    if (stopped_) return std::move(result_);
+    if (auto stored = write_file(file("anytime.csv"), anytime_csv(result_.anytime)); !stored) return stored.error();
 
     doing_ = "warm-up";
     if (auto warm = shoot(settings_.front().settings, SolidKernel::half_spaces); !warm) return warm.error();

@@ -12,6 +12,7 @@
 #include "core/result.h"
 #include "film/stokes_image.h"
 #include "scene/scene.h"
+#include "verify/anytime.h"
 #include "verify/rounding_error.h"
 #include "verify/run_table.h"
 
@@ -40,7 +41,8 @@ struct ConvergenceResult {
     std::string reference_id;      ///< how the reference was made, for people
     double reference_error = 0.0;  ///< fro_c, estimated
     std::optional<RoundingError> rounding;
-    bool complete = false;  ///< false: stopped early; the rows so far are in runs.csv
+    std::vector<AnytimePoint> anytime;  ///< of the scene at its own settings
+    bool complete = false;              ///< false: stopped early; the rows so far are in runs.csv
 };
 
 /// What a user sees while it runs. `done` of `all` timed renders; returns false to stop.

@@ -79,7 +79,7 @@ const Curve* truncation_curve(const std::vector<Curve>& all) {
     return best;
 }
 
-Plot anytime(const Curve& curve, const std::vector<ErrorBudget>& budgets) {
+Plot bound_and_truth(const Curve& curve, const std::vector<ErrorBudget>& budgets) {
     Plot plot;
     plot.title = "What is guaranteed, and what is true";
     plot.subtitle = "series: " + curve.series + ". The bound is rigorous and needs no reference";
@@ -95,6 +95,26 @@ Plot anytime(const Curve& curve, const std::vector<ErrorBudget>& budgets) {
         if (budget != budgets.end()) truth.points.emplace_back(point.cpu_s, budget->truncation);
     }
     plot.series = {bound, truth};
+    return plot;
+}
+
+/// One render from its first tile on; a point below three times the reference's error says nothing.
+Plot anytime(const ConvergenceResult& result) {
+    Plot plot;
+    plot.title = "One render as it grows";
+    plot.subtitle = "at the scene's own settings; light of tiles that are not there yet counts as missing";
+    plot.x = {"time of the tracing, s", AxisScale::logarithmic};
+    plot.y = {"error of the coherence matrix (fro_c)", AxisScale::logarithmic};
+    PlotSeries bound{"rigorous bound of what is missing", {}, 1, PlotMarker::none, true, true};
+    PlotSeries sampling{"estimate of the sampling error", {}, 2, PlotMarker::none, true, true};
+    PlotSeries truth{"true error", {}, 0, PlotMarker::circle, true, false};
+    for (const AnytimePoint& point : result.anytime) {
+        bound.points.emplace_back(point.seconds, point.bound);
+        if (point.sampling > 0.0) sampling.points.emplace_back(point.seconds, point.sampling);
+        if (point.error >= 3.0 * result.reference_error) truth.points.emplace_back(point.seconds, point.error);
+    }
+    plot.series = {bound, truth};
+    if (!sampling.points.empty()) plot.series.push_back(sampling);
     return plot;
 }
 
@@ -155,7 +175,8 @@ std::vector<NamedPlot> convergence_plots(const ConvergenceResult& result) {
     const std::vector<Curve> all = curves(result.rows);
     std::vector<NamedPlot> plots{{"work-precision", work_precision(all, result.reference_error)}};
     if (const Curve* curve = truncation_curve(all))
-        plots.push_back({"bound-and-truth", anytime(*curve, error_budgets(result.rows))});
+        plots.push_back({"bound-and-truth", bound_and_truth(*curve, error_budgets(result.rows))});
+    if (!result.anytime.empty()) plots.push_back({"anytime", anytime(result)});
     return plots;
 }
 
