@@ -50,6 +50,11 @@ def take(program, folder, size, theme):
         shoot(window, "commands")
         window.key("Escape", "Tab")
         shoot(window, "picture-alone")
+        window.key("Tab", "i")
+        window.wait_for(lambda w: w.state["done"] > RENDER_SHARE, "the twin")
+        shoot(window, "difference")
+        window.key("ctrl+shift+a")
+        shoot(window, "save-as")
         window.end()
     finally:
         display.close()

@@ -41,6 +41,7 @@ float draw_menu_bar(Session& session) {
         const std::string_view group = all[first].group;
         std::size_t end = first;
         while (end < all.size() && all[end].group == group) ++end;
+        if (group == "Help") draw_facts_menu(session);  // Help is the last one, as everywhere
         const bool open = ImGui::BeginMenu(std::string(group).c_str());
         name_widget("menu " + std::string(group));
         if (open) {
@@ -50,7 +51,6 @@ float draw_menu_bar(Session& session) {
         }
         first = end;
     }
-    draw_facts_menu(session);
     const float height = ImGui::GetWindowSize().y;
     ImGui::EndMainMenuBar();
     return height;
