@@ -299,12 +299,18 @@ void PictureRenderer::upload_difference(const Session& session) {
     gpu_->drawn.reset();
     const StokesImage& picture = session.current()->picture();
     std::vector<Float4> floats(picture.pixel_count(), Float4{});
-    // Rows of another map, or not looked at yet, stay unknown.
-    for (int y = 0; y < picture.height && map.values().size() == floats.size(); ++y) {
-        if (!map.knows_row(y)) continue;
-        for (std::size_t pixel = picture.pixel(0, y); pixel <= picture.pixel(picture.width - 1, y); ++pixel)
-            floats[pixel] =
-                to_single(map.values()[pixel], map.weights()[pixel], static_cast<double>(map.states()[pixel]), 1.0);
+    if (map.values().size() == floats.size()) {
+        // A row that was not looked at yet is shown as the one above it: coarse first, like the picture.
+        int known = 0;
+        for (int y = 0; y < picture.height; ++y) {
+            if (map.knows_row(y)) known = y;
+            if (!map.knows_row(known)) continue;
+            for (int x = 0; x < picture.width; ++x) {
+                const std::size_t from = picture.pixel(x, known);
+                floats[picture.pixel(x, y)] =
+                    to_single(map.values()[from], map.weights()[from], static_cast<double>(map.states()[from]), 1.0);
+            }
+        }
     }
     gpu_->difference.resize(picture.width, picture.height);
     gpu_->difference.write({0, 0, picture.width, picture.height}, floats);

@@ -200,7 +200,7 @@ void Session::update() {
         shown_map.clear();
         return;
     }
-    shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s, compared);
+    shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s, grows, compared);
     if (!shown_map.complete() && !grows && wake_) wake_();
 }
 

@@ -106,7 +106,7 @@ void ShownMap::summarize(int width) {
 }
 
 bool ShownMap::update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds,
-                      const std::optional<Comparison>& comparison) {
+                      bool grows, const std::optional<Comparison>& comparison) {
     Key key{document.picture_layout(), view.quantity, view.wavelength, bench, 0, 0};
     const double start = now_s();
     key_version_ = document.picture_version();
@@ -119,7 +119,7 @@ bool ShownMap::update(const Document& document, const ViewSettings& view, const 
         restart(document, key);
         seen_version_ = key_version_;
     } else if (rows_done_ == order_.size() && seen_version_ != key_version_) {
-        if (start - last_sweep_end_s_ < rest_after_sweep * sweep_cost_s_) return false;
+        if (grows && start - last_sweep_end_s_ < rest_after_sweep * sweep_cost_s_) return false;
         rows_done_ = 0;
         sweep_cost_s_ = 0.0;
         seen_version_ = key_version_;
@@ -146,10 +146,9 @@ bool ShownMap::update(const Document& document, const ViewSettings& view, const 
 
 void ShownMap::finish(const Document& document, const ViewSettings& view, const Bench& bench,
                       const std::optional<Comparison>& comparison) {
-    last_sweep_end_s_ = -std::numeric_limits<double>::infinity();
     constexpr double as_long_as_it_takes = std::numeric_limits<double>::infinity();
-    update(document, view, bench, as_long_as_it_takes, comparison);
-    update(document, view, bench, as_long_as_it_takes, comparison);
+    update(document, view, bench, as_long_as_it_takes, false, comparison);
+    update(document, view, bench, as_long_as_it_takes, false, comparison);
 }
 
 }  // namespace pol

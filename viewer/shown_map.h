@@ -28,12 +28,13 @@ struct MapSummary {
 ///
 /// A million pixels take a good part of a second. So the map is made row by row, spread over frames, and in such an
 /// order that the first rows already stand for the whole. When anything but the picture changes it starts over at once;
-/// a picture that grows while it is rendered is looked at again only so often that it costs a tenth of the time.
+/// a picture that is still being rendered is looked at again only so often that it costs a tenth of the time.
 /// Main thread only.
 class ShownMap {
 public:
-    /// Works for about `seconds`. Returns true if something changed for the reader.
-    bool update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds,
+    /// Works for about `seconds`; `grows`: the picture is still being rendered. Returns true if something changed for
+    /// the reader.
+    bool update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds, bool grows,
                 const std::optional<Comparison>& comparison = {});
     /// Brings all pixels up to date.
     void finish(const Document& document, const ViewSettings& view, const Bench& bench,

@@ -46,17 +46,17 @@ TEST(ShownMap, IsMadeInSlicesAndFollowsMapAndBench) {
     ShownMap map;
     int slices = 0;
     while (!map.complete() || slices == 0) {
-        map.update(document, session.view, session.bench, 0.0);
+        map.update(document, session.view, session.bench, 0.0, false);
         ASSERT_LE(++slices, 12);
     }
     EXPECT_EQ(slices, 12) << "a row per slice";
     EXPECT_NEAR(map.summary().high, 1.0, 1e-6);
     const std::uint64_t version = map.version();
-    EXPECT_FALSE(map.update(document, session.view, session.bench, 1.0));
+    EXPECT_FALSE(map.update(document, session.view, session.bench, 1.0, false));
     EXPECT_EQ(map.version(), version) << "nothing changed";
 
     session.bench.elements.push_back({});
-    map.update(document, session.view, session.bench, 0.0);
+    map.update(document, session.view, session.bench, 0.0, false);
     EXPECT_FALSE(map.complete());
     map.finish(document, session.view, session.bench);
     EXPECT_NEAR(map.summary().low, 1.0, 1e-12) << "behind a polarizer all light is polarized";

@@ -114,8 +114,8 @@ void draw_help_sheet(Session& session) {
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
     if (ImGui::Begin("Keys and mouse", &window.help_visible, flags)) {
         log_window();
-        constexpr std::size_t column_count = 3;
-        const auto columns = in_columns(groups_with_keys(), column_count);
+        const float width_of_four = 80.0F * ImGui::GetFontSize();
+        const auto columns = in_columns(groups_with_keys(), display.x > width_of_four ? 4 : 3);
         for (std::size_t i = 0; i < columns.size(); ++i) {
             if (i > 0) ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
             ImGui::BeginGroup();
