@@ -109,7 +109,7 @@ export UBSAN_OPTIONS=print_stacktrace=1
 # Everything a test allocates is freed again, but for what leaks.txt names.
 export ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1
 export LSAN_OPTIONS=suppressions=$root/tests/support/leaks.txt:print_suppressions=0
-export TSAN_OPTIONS=second_deadlock_stack=1
+export TSAN_OPTIONS=second_deadlock_stack=1:suppressions=$root/tests/support/races.txt:print_suppressions=0
 
 for name in "${steps[@]}"; do
     wrap=()
