@@ -27,7 +27,7 @@ AnytimePoint look(const Renderer& renderer, const StokesImage& reference) {
 
 std::vector<AnytimePoint> anytime_curve(const std::shared_ptr<const Plan>& plan, const StokesImage& reference,
                                         int threads, const KeepGoing& keep_going) {
-    constexpr double first_look_s = 2e-3;
+    constexpr double first_look_s = 2e-4;
     constexpr double next_look = 1.25;  // times the last, from the beginning of the render
     constexpr int small_tile = 8;       // a picture of a few pixels grows, too
     Renderer renderer(threads, small_tile);

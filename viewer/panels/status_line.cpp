@@ -72,6 +72,15 @@ void draw_errors(const FilmStatus& film, const ThemeColors& color) {
           "Per pixel, on average.");
 }
 
+/// What is on screen is not final before the reference is.
+void draw_reference(const Session& session, const ThemeColors& color) {
+    if (!session.comparison()) return;
+    const RenderProgress progress = session.reference()->progress();
+    if (progress.finished) return;
+    entry("reference", color.warning, fmt::format("reference at {:.0f} %", 100.0 * progress.done),
+          "The picture that is subtracted is still being rendered.");
+}
+
 /// The file that is being written, and how many wait for it.
 void draw_export(const ExportQueue& exports, const ThemeColors& color) {
     const auto running = exports.running();
@@ -114,6 +123,7 @@ void draw_status_line(Session& session) {
             entry("progress", color.text, "picture from a file", "Nothing is traced: there is no scene.");
         }
     }
+    draw_reference(session, color);
     draw_export(session.exports, color);
     draw_message(session);
 }
