@@ -2,6 +2,7 @@
 """Takes the pictures of screenshots.sh. Usage: screenshots.py PROGRAM FOLDER"""
 
 import sys
+import time
 from pathlib import Path
 
 from window import SCENES, Display, Window, missing_tools
@@ -53,6 +54,7 @@ def take(program, folder, size, theme):
         shoot(window, "picture-alone")
         window.key("Tab", "i")
         window.wait_for(lambda w: w.state["done"] > RENDER_SHARE, "the twin")
+        time.sleep(2.0)  # the difference follows the finished picture row by row
         shoot(window, "difference")
         window.key("ctrl+shift+a")
         shoot(window, "save-as")
