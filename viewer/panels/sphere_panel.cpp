@@ -122,7 +122,7 @@ void SpherePanel::draw(Session& session) {
     for (std::size_t i = 0; i + 1 < lasso_.size(); ++i)
         list.AddLine(point(center + radius * DVec2(lasso_[i].x, -lasso_[i].y)),
                      point(center + radius * DVec2(lasso_[i + 1].x, -lasso_[i + 1].y)), pin_ink, 1.5F);
-    ImGui::TextDisabled("%zu points", points_.size());
+    ImGui::TextDisabled(points_.size() == 1 ? "%zu point" : "%zu points", points_.size());
 }
 
 void SpherePanel::choose_source(Session& session) {
