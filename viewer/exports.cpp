@@ -19,6 +19,7 @@
 #include "polarization/measures.h"
 #include "viewer/map_look.h"
 #include "viewer/shown_picture.h"
+#include "viewer/shown_quantity.h"
 
 namespace pol {
 
@@ -83,31 +84,31 @@ void lay_over_intensity(RgbPicture& shown, const StokesImage& seen, const MapOpt
     }
 }
 
-/// The map on screen, which need not be a map of one picture.
-Map map_on_screen(Session& session) {
-    session.finish_shown_map();
-    const StokesImage& picture = session.current()->picture();
-    const ShownMap& shown = session.shown_map;
-    Map map{session.view.quantity, picture.wavelengths_nm[session.view.wavelength], picture.width, picture.height, {}};
+/// What a picture is held against, for another thread.
+struct LentReference {
+    std::shared_ptr<const StokesImage> picture;
+    std::size_t wavelength = 0;
+};
+
+Map difference_map(const StokesImage& picture, const ViewSettings& view, const Bench& bench,
+                   const LentReference& reference) {
+    const ShownQuantity shown(picture, view, bench, ReferencePicture{reference.picture.get(), reference.wavelength});
+    Map map{view.quantity, picture.wavelengths_nm[view.wavelength], true, picture.width, picture.height, {}};
     map.pixels.reserve(picture.pixel_count());
-    for (std::size_t i = 0; i < picture.pixel_count(); ++i)
-        map.pixels.push_back({shown.values()[i], shown.weights()[i], shown.states()[i]});
+    for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) map.pixels.push_back(shown.at(pixel));
     return map;
 }
 
-/// `difference`: instead of a map of the picture.
+/// `reference`: minus that of this one.
 Result<Done> write_map(const StokesImage& picture, const ViewSettings& view, const MapOptions& options,
-                       const Bench& bench, const std::optional<Map>& difference, const std::string& caption,
+                       const Bench& bench, const std::optional<LentReference>& reference, const std::string& caption,
                        const fs::path& path, ExportProgress& progress) {
     const bool is_color = view.quantity == Quantity::color;
     const bool needs_all = is_color || view.over_intensity;
     const StokesImage seen = seen_behind(picture, bench, needs_all ? std::nullopt : std::optional(view.wavelength));
     progress = 0.2;
-    MapOptions signed_options = options;
-    signed_options.offset = 0.0;
-    signed_options.gamma = 1.0;
-    auto map = difference ? Result<ColoredMap>(colorize(*difference, signed_options))
-                          : draw_map(seen, view.quantity, needs_all ? view.wavelength : 0, options);
+    auto map = reference ? Result<ColoredMap>(colorize(difference_map(picture, view, bench, *reference), options))
+                         : draw_map(seen, view.quantity, needs_all ? view.wavelength : 0, options);
     if (!map) return map.error();
     if (view.over_intensity && !is_color) lay_over_intensity(map.value().picture, seen, options);
     progress = 0.5;
@@ -189,18 +190,17 @@ void export_map(Session& session) {
         free_export_path(session, stem_of(*document) + "-" + quantity + (comparison ? "-difference" : ""), ".png");
     MapOptions options{view.style, std::nullopt, view.exposure, view.scale, view.offset, view.gamma};
     if (view.quantity != Quantity::color) options.range = map_look(session).range;
-    std::optional<Map> difference;
+    std::optional<LentReference> reference;
     std::string caption = document->name();
     if (comparison) {
-        difference = map_on_screen(session);
-        options.scale = map_look(session).scale;
+        reference = LentReference{comparison->reference->lend_picture(), comparison->wavelength};
         caption += " minus " + comparison->reference->name();
     }
     if (!session.bench.empty()) caption += ", behind the bench";
     session.exports.start("PNG of the map", path,
                           [lent = document->lend_picture(), view, options, bench = session.bench,
-                           difference = std::move(difference), caption, path](ExportProgress& progress) {
-                              return write_map(*lent, view, options, bench, difference, caption, path, progress);
+                           reference = std::move(reference), caption, path](ExportProgress& progress) {
+                              return write_map(*lent, view, options, bench, reference, caption, path, progress);
                           });
 }
 

@@ -6,23 +6,14 @@
 
 namespace pol {
 
-namespace {
-
-/// Zero in the middle, as far to both sides as there are differences.
-MapLook difference_look(const Session& session) {
-    const ViewSettings& view = session.view;
-    const MapSummary& found = session.shown_map.summary();
-    const double largest = std::max(std::abs(found.low), std::abs(found.high));
-    const double reach = largest > 0.0 ? largest : 1.0;
-    return {view.scale.value_or(ColorScale::diverging),
-            view.difference_range[static_cast<std::size_t>(view.quantity)].value_or(MapRange{-reach, reach})};
-}
-
-}  // namespace
-
 MapLook map_look(const Session& session) {
-    if (session.comparison()) return difference_look(session);
     const ViewSettings& view = session.view;
+    if (session.comparison()) {
+        const MapSummary& found = session.shown_map.summary();
+        return {view.scale.value_or(ColorScale::diverging),
+                view.difference_range[static_cast<std::size_t>(view.quantity)].value_or(
+                    range_of_differences(found.low, found.high))};
+    }
     const MapOptions options{view.style, view.range[static_cast<std::size_t>(view.quantity)], view.exposure};
     return {view.scale.value_or(scale_for(view.quantity, view.style)),
             range_for(view.quantity, options, session.shown_map.summary().high)};

@@ -108,6 +108,12 @@ std::optional<Comparison> Session::comparison() const {
     return found ? std::optional(found.value()) : std::nullopt;
 }
 
+ShownQuantity Session::shown_quantity() const {
+    std::optional<ReferencePicture> reference;
+    if (const auto compared = comparison()) reference = compared->picture();
+    return {current()->picture(), view, bench, reference};
+}
+
 void Session::toggle_difference() {
     if (comparison()) {
         view.difference = false;

@@ -127,7 +127,11 @@ bool ShownMap::update(const Document& document, const ViewSettings& view, const 
     if (rows_done_ == order_.size()) return false;
 
     std::optional<ShownQuantity> quantity;
-    if (view.quantity != Quantity::color) quantity.emplace(document, view, bench, comparison);
+    if (view.quantity != Quantity::color) {
+        std::optional<ReferencePicture> reference;
+        if (comparison) reference = comparison->picture();
+        quantity.emplace(document.picture(), view, bench, reference);
+    }
     const std::uint64_t version = version_;
     double now = start;
     do {

@@ -15,6 +15,13 @@
 
 namespace pol {
 
+/// The document that the one on screen is held against, pixel by pixel.
+struct Comparison {
+    const Document* reference = nullptr;
+    std::size_t wavelength = 0;  ///< of the reference, in its own list: the one on screen
+    [[nodiscard]] ReferencePicture picture() const { return {&reference->picture(), wavelength}; }
+};
+
 /// What a map contains, as far as it is known.
 struct MapSummary {
     std::size_t pixels = 0;                              ///< looked at

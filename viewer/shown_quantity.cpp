@@ -7,15 +7,15 @@
 
 namespace pol {
 
-ShownQuantity::ShownQuantity(const Document& document, const ViewSettings& view, const Bench& bench,
-                             const std::optional<Comparison>& comparison)
-    : quantity_(view.quantity), picture_(document.picture(), bench), wavelength_(view.wavelength) {
+ShownQuantity::ShownQuantity(const StokesImage& picture, const ViewSettings& view, const Bench& bench,
+                             const std::optional<ReferencePicture>& reference)
+    : quantity_(view.quantity), picture_(picture, bench), wavelength_(view.wavelength) {
     POL_EXPECTS(quantity_ != Quantity::color);
-    if (comparison) {
-        reference_.emplace(comparison->reference->picture(), bench);
-        reference_wavelength_ = comparison->wavelength;
+    if (reference) {
+        reference_.emplace(*reference->picture, bench);
+        reference_wavelength_ = reference->wavelength;
     }
-    if (const auto d65 = d65_at(document.picture().wavelengths_nm[wavelength_])) d65_ = d65.value();
+    if (const auto d65 = d65_at(picture.wavelengths_nm[wavelength_])) d65_ = d65.value();
 }
 
 MapPixel ShownQuantity::at(std::size_t pixel) const {

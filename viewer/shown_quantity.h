@@ -6,29 +6,28 @@
 
 #include "maps/evaluate.h"
 #include "viewer/bench.h"
-#include "viewer/document.h"
 #include "viewer/shown_picture.h"
 #include "viewer/view_settings.h"
 
 namespace pol {
 
-/// The picture that the one on screen is held against, pixel by pixel.
-struct Comparison {
-    const Document* reference = nullptr;
-    std::size_t wavelength = 0;  ///< of the reference, in its own list: the one on screen
+/// A picture that another one is held against, and which of its wavelengths is compared.
+struct ReferencePicture {
+    const StokesImage* picture = nullptr;
+    std::size_t wavelength = 0;
 };
 
 /// The shown quantity, behind the bench, pixel by pixel: that of the picture, or how far it is from the reference's.
 /// Borrows the pictures: made anew for every frame. Requires: the quantity is not `color`.
 class ShownQuantity {
 public:
-    ShownQuantity(const Document& document, const ViewSettings& view, const Bench& bench,
-                  const std::optional<Comparison>& comparison);
+    ShownQuantity(const StokesImage& picture, const ViewSettings& view, const Bench& bench,
+                  const std::optional<ReferencePicture>& reference);
 
     /// The number on screen.
     [[nodiscard]] MapPixel at(std::size_t pixel) const;
     [[nodiscard]] MapPixel own(std::size_t pixel) const { return value(picture_, wavelength_, pixel); }
-    /// Requires: there is a comparison.
+    /// Requires: there is a reference.
     [[nodiscard]] MapPixel of_reference(std::size_t pixel) const {
         return value(*reference_, reference_wavelength_, pixel);
     }

@@ -67,7 +67,7 @@ std::string number_text(double value) {
 std::string title_of(const ColoredMap& map) {
     const std::string_view title = info(map.quantity).title;
     if (map.quantity == Quantity::color) return std::string(title);
-    return fmt::format("{}, {:.6g} nm", title, map.wavelength_nm);
+    return fmt::format("{}{}, {:.6g} nm", title, map.is_difference ? ", difference" : "", map.wavelength_nm);
 }
 
 /// Positions in pixels of the canvas. Everything but the picture scales with `unit`, so that the legend of a large
@@ -95,7 +95,7 @@ public:
     Drawing(const ColoredMap& map, const std::string& caption)
         : map_(map), caption_(caption), legend_(legend_of(map)), title_(title_of(map)) {
         if (map.scale) {
-            for (const double tick : bar_ticks(map.range, info(map.quantity).kind)) {
+            for (const double tick : bar_ticks(map.range, map.kind())) {
                 ticks_.emplace_back(tick, number_text(tick) + degree_sign());
             }
         }
@@ -209,7 +209,7 @@ private:
 
     [[nodiscard]] std::vector<std::string> range_notes() const {
         std::vector<std::string> notes;
-        if (map_.style == MapStyle::paper && map_.quantity != Quantity::color) {
+        if (map_.style == MapStyle::paper && !map_.is_difference && map_.quantity != Quantity::color) {
             notes.emplace_back("value \u00d7 D65; black also where undefined");
         }
         const std::size_t total = map_.picture.pixels.size();

@@ -20,12 +20,15 @@ Rgb decoded(const Rgb8& color) {
     return {srgb_decode(color[0] / 255.0), srgb_decode(color[1] / 255.0), srgb_decode(color[2] / 255.0)};
 }
 
-double largest_value(const Map& map) {
-    double largest = 0.0;
+/// Least and largest defined value, 0 included.
+MapRange extremes(const Map& map) {
+    MapRange found{0.0, 0.0};
     for (const MapPixel& pixel : map.pixels) {
-        if (pixel.state == PixelState::defined) largest = std::max(largest, pixel.value);
+        if (pixel.state != PixelState::defined) continue;
+        found.low = std::min(found.low, pixel.value);
+        found.high = std::max(found.high, pixel.value);
     }
-    return largest;
+    return found;
 }
 
 }  // namespace
@@ -66,6 +69,12 @@ MapRange range_for(Quantity quantity, const MapOptions& options, double largest)
     return {about.low, largest > about.low ? largest : 1.0};
 }
 
+MapRange range_of_differences(double low, double high) {
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const double reach = largest > 0.0 ? largest : 1.0;
+    return {-reach, reach};
+}
+
 double developed(double light, const MapOptions& options) {
     const double shifted = light + options.offset;
     return options.gamma == 1.0 ? shifted : std::pow(std::max(shifted, 0.0), 1.0 / options.gamma);
@@ -98,16 +107,20 @@ Rgb8 faded(const Rgb& color, double weight) {
 ColoredMap colorize(const Map& map, const MapOptions& options) {
     POL_EXPECTS(map.quantity != Quantity::color);
     POL_EXPECTS(!options.range || options.range->low < options.range->high);
-    const ColorScale scale = options.scale.value_or(scale_for(map.quantity, options.style));
-    const bool is_photograph = info(map.quantity).kind == ScaleKind::gray;
+    const ColorScale scale =
+        options.scale.value_or(map.is_difference ? ColorScale::diverging : scale_for(map.quantity, options.style));
     ColoredMap colored;
     colored.quantity = map.quantity;
+    colored.is_difference = map.is_difference;
+    const bool is_photograph = colored.kind() == ScaleKind::gray;
     colored.style = options.style;
     colored.wavelength_nm = map.wavelength_nm;
     colored.picture.width = map.width;
     colored.picture.height = map.height;
     colored.scale = scale;
-    colored.range = range_for(map.quantity, options, largest_value(map));
+    const MapRange found = extremes(map);
+    colored.range = map.is_difference ? options.range.value_or(range_of_differences(found.low, found.high))
+                                      : range_for(map.quantity, options, found.high);
     colored.picture.pixels.reserve(map.pixels.size());
     colored.states.reserve(map.pixels.size());
 

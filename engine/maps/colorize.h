@@ -52,6 +52,9 @@ struct ColoredMap {
     Quantity quantity{};
     MapStyle style{};
     double wavelength_nm = 0.0;  ///< of no meaning for color
+    bool is_difference = false;  ///< as Map
+    /// How the scale is to be read.
+    [[nodiscard]] ScaleKind kind() const { return is_difference ? ScaleKind::diverging : info(quantity).kind; }
     RgbPicture picture;
     std::vector<PixelState> states;                            ///< of the pixels of `picture`
     std::optional<ColorScale> scale;                           ///< none for color
@@ -67,6 +70,9 @@ ColorScale scale_for(Quantity quantity, MapStyle style);
 /// Values at the two ends of the scale: of the options, else of QuantityInfo, else from 0 to `largest`, the largest
 /// defined value of the map (0..1 if that is 0 or there is none).
 MapRange range_for(Quantity quantity, const MapOptions& options, double largest);
+
+/// The same for differences from `low` to `high`: as far to both sides of 0, -1..1 if there are none.
+MapRange range_of_differences(double low, double high);
 
 /// Colors of pixels without a value. `undetermined` is hatched: `x + y` says where.
 Rgb8 state_color(PixelState state, int x, int y);

@@ -122,7 +122,7 @@ Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wa
         if (!known) return known.error();
         d65 = known.value();
     }
-    Map map{quantity, image.wavelengths_nm[wavelength], image.width, image.height, {}};
+    Map map{quantity, image.wavelengths_nm[wavelength], false, image.width, image.height, {}};
     map.pixels.reserve(image.pixel_count());
     for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
         map.pixels.push_back(evaluate_pixel(image, quantity, wavelength, pixel, d65));

@@ -35,6 +35,7 @@ struct MapPixel {
 struct Map {
     Quantity quantity{};
     double wavelength_nm = 0.0;
+    bool is_difference = false;  ///< values minus those of a reference (difference.h): signed, whatever the quantity
     int width = 0;
     int height = 0;
     std::vector<MapPixel> pixels;

@@ -118,6 +118,9 @@ void account_for_light(const Scene& scene, const Plan& plan, Account& account) {
     const bool area = plan.settings.mode == SampleMode::area;
     account.list.push_back({"pixel area sampling", area,
                             area ? "quasi-random over each pixel" : "point mode: one ray through the pixel centre"});
+    const bool polarized_light = !plan.settings.unpolarized;
+    account.list.push_back({"polarization", polarized_light,
+                            polarized_light ? "a matrix for every branch" : "forgotten at every surface, as asked"});
     const bool depth = plan.settings.depth.has_value();
     account.list.push_back(
         {"depth limit", depth,

@@ -83,6 +83,7 @@ double asymmetry(const Explanation& forward, const RayTreeNode& leaf, const Expl
 }  // namespace
 
 InvariantResult is_reciprocal(const SceneUnderTest& test) {
+    if (test.scene.render.unpolarized) return does_not_apply("light that forgets its polarization has no amplitudes");
     Scene scene = cut_by_depth(test.scene, longest);
     const auto there = under_test(scene);
     if (!there) return does_not_apply(there.error().what);

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "maps/colorize.h"
 #include "maps/difference.h"
 
 namespace pol {
@@ -21,6 +22,23 @@ TEST(Difference, OfEqualLightSummedInAnotherOrderIsZero) {
     EXPECT_EQ(difference(Quantity::s2, {3.0 * ulp}, {-2.0 * ulp}).value, 0.0);
     EXPECT_DOUBLE_EQ(difference(Quantity::intensity, {3e-9}, {1e-9}).value, 2e-9);
     EXPECT_NEAR(difference(Quantity::dop, {0.5 + 1e-9}, {0.5}).value, 1e-9, 2.0 * ulp);
+}
+
+// Zero is in the middle whatever the quantity; the tone of a photograph is not for signed numbers.
+TEST(Difference, IsColoredFromBlueToOrangeWithZeroInTheMiddle) {
+    for (const Quantity quantity : {Quantity::intensity, Quantity::azimuth, Quantity::dop}) {
+        const Map map{quantity, 580.0, true, 3, 1, {{-0.5}, {0.0}, {0.25}}};
+        MapOptions options;
+        options.gamma = 2.0;
+        options.offset = 0.3;
+        const ColoredMap colored = colorize(map, options);
+        EXPECT_EQ(colored.kind(), ScaleKind::diverging);
+        EXPECT_EQ(colored.range.low, -0.5);
+        EXPECT_EQ(colored.range.high, 0.5);
+        EXPECT_EQ(colored.picture.pixels[0], encode(scale_color(ColorScale::diverging, 0.0)));
+        EXPECT_EQ(colored.picture.pixels[1], encode(scale_color(ColorScale::diverging, 0.5)));
+        EXPECT_EQ(colored.picture.pixels[2], encode(scale_color(ColorScale::diverging, 0.75)));
+    }
 }
 
 TEST(Difference, IsDefinedWhereBothAreAndFadesWithTheWeaker) {

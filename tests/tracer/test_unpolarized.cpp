@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "polarization/measures.h"
 #include "support/render_scene.h"
+#include "support/two_mirrors.h"
 
 namespace pol {
 namespace {
@@ -27,25 +28,25 @@ Reflectances reflectances(double angle, double n) {
 // A tree of a dozen steps, each of them a handful of roundings of 1.1e-16 of the pixel.
 constexpr double rounding = 1e-14;
 
-/// A lamp of radiance 1 seen by way of two parallel faces of glass at Brewster's angle, whose transmitted light dies.
-constexpr const char* two_mirrors =
-    "camera: {type: orthographic, position: [-3, 2, 0], target: [0, 0, 0], width: 1e-9}\n"
-    "render: {residual: 0}\n"
-    "media: {glass: {index: 1.5, absorption: 1000}}\n"
-    "objects:\n"
-    "  - {name: lower, shape: {box: {size: [2, 1, 2]}}, transform: [{translate: [0, -0.5, 0]}], medium: glass}\n"
-    "  - {name: upper, shape: {box: {size: [2, 1, 2]}}, transform: [{translate: [1.5, 1.5, 0]}], medium: glass}\n"
-    "  - name: lamp\n"
-    "    shape: {rectangle: {size: 30}}\n"
-    "    transform: [{rotate: {axis: [1, 0, 0], angle: -90}}, {translate: [10, -5, 0]}]\n"
-    "    emission: {radiance: 1}\n";
-
 TEST(Unpolarized, TwoMirrorsAtBrewstersAngleReflectHalfOfWhatPolarizationMakesOfThem) {
-    Scene scene = test::scene_of(two_mirrors);
-    const double r_s = reflectances(std::atan(1.5), 1.5).s;
+    Scene scene = test::scene_of(test::two_mirrors);
+    const double r_s = test::brewster_s_reflectance;
     EXPECT_NEAR(test::look(scene).s0, 0.5 * r_s * r_s, rounding);
     scene.render.unpolarized = true;
     EXPECT_NEAR(test::look(scene).s0, std::pow(0.5 * r_s, 2), rounding);
+}
+
+// A renderer without polarization knows nothing of a lamp but its S0.
+TEST(Unpolarized, APolarizedLampIsAsBrightAndAsUnpolarizedAsAnyOther) {
+    const std::string lamp =
+        "camera: {position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 10}\n"
+        "objects: [{name: lamp, shape: {rectangle: {size: 4}}, emission: {radiance: 0.75, polarization: "
+        "{dop: 0.8, azimuth: 20, ellipticity: 0.4, handedness: left}}}]\n";
+    Scene scene = test::scene_of(lamp);
+    const Stokes<double> polarized = test::look(scene);
+    EXPECT_NEAR(polarized_part(polarized), 0.8 * 0.75, rounding);
+    scene.render.unpolarized = true;
+    EXPECT_EQ(test::look(scene), (Stokes<double>{polarized.s0, 0.0, 0.0, 0.0}));
 }
 
 // Born & Wolf 1.6.4 with one reflectance R for all light: 2m faces without interference pass (1 - R)/(1 + (2m - 1) R).

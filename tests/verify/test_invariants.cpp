@@ -28,6 +28,20 @@ TEST_P(ShippedScene, HoldsAllInvariants) {
     }
 }
 
+// A model without amplitudes still conserves energy, turns with the scene and keeps its bounds.
+TEST(Invariants, HoldForTheUnpolarizedTwinWithoutReciprocity) {
+    for (const char* name : {"paper-calcite-polarized", "pile-of-plates", "metal-spheres"}) {
+        Scene scene = small(test::shipped_scene(name), 12);
+        scene.render.unpolarized = true;
+        const SceneUnderTest twin = under_test(scene).value();
+        EXPECT_EQ(is_reciprocal(twin).outcome, Outcome::does_not_apply);
+        for (const Invariant& invariant : invariants()) {
+            const InvariantResult result = invariant.check(twin);
+            EXPECT_NE(result.outcome, Outcome::fail) << name << ": " << invariant.name << "; " << result.note;
+        }
+    }
+}
+
 SceneUnderTest glass_ball() {
     return under_test(test::scene_of(R"(
 camera: {position: [0, -6, 2], target: [0, 0, 0.1], fov: 30}

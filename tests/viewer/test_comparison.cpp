@@ -9,6 +9,7 @@
 #include "known_picture.h"
 #include "maps/difference.h"
 #include "spectrum/illuminant.h"
+#include "support/two_mirrors.h"
 #include "viewer/map_look.h"
 
 namespace pol {
@@ -108,21 +109,9 @@ void wait(Session& session) {
     }
 }
 
-// The lamp is seen by way of two mirrors at Brewster's angle: R_s^2 / 2 of it with polarization, (R_s / 2)^2 without,
-// R_s = (5/13)^2 for n = 1.5 (physics.md 2.4; cos 2 theta_B = -5/13).
+// R_s^2 / 2 of the lamp with polarization, (R_s / 2)^2 without (physics.md 2.4).
 TEST(Comparison, OfTheUnpolarizedTwinIsWhatPolarizationDoesToTheIntensity) {
-    auto scene = parse_scene(
-        "camera: {type: orthographic, position: [-3, 2, 0], target: [0, 0, 0], width: 1e-9}\n"
-        "render: {residual: 0, size: [3, 2]}\n"
-        "media: {glass: {index: 1.5, absorption: 1000}}\n"
-        "objects:\n"
-        "  - {name: lower, shape: {box: {size: [2, 1, 2]}}, transform: [{translate: [0, -0.5, 0]}], medium: glass}\n"
-        "  - {name: upper, shape: {box: {size: [2, 1, 2]}}, transform: [{translate: [1.5, 1.5, 0]}], medium: glass}\n"
-        "  - name: lamp\n"
-        "    shape: {rectangle: {size: 30}}\n"
-        "    transform: [{rotate: {axis: [1, 0, 0], angle: -90}}, {translate: [10, -5, 0]}]\n"
-        "    emission: {radiance: 1}\n",
-        "mirrors.yaml", POL_TESTS_DIR);
+    auto scene = parse_scene(test::two_mirrors, "mirrors.yaml", POL_TESTS_DIR);
     ASSERT_TRUE(scene);
     Session session;
     ASSERT_TRUE(session.open_scene(scene.value(), "mirrors.yaml"));
@@ -132,7 +121,7 @@ TEST(Comparison, OfTheUnpolarizedTwinIsWhatPolarizationDoesToTheIntensity) {
     ASSERT_TRUE(session.comparison());
     ASSERT_EQ(session.view.quantity, Quantity::intensity);
     ASSERT_NO_FATAL_FAILURE(wait(session));
-    const double r_s = 25.0 / 169.0;
+    const double r_s = test::brewster_s_reflectance;
     const double d65 = d65_at(580.0).value();  // the map is S0 / D65
     for (const double value : session.shown_map.values())
         EXPECT_NEAR(d65 * value, r_s * r_s / 4.0 - r_s * r_s / 2.0, 1e-14);

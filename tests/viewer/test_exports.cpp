@@ -160,5 +160,22 @@ TEST_F(Exports, EveryMapIsWrittenAsPng) {
     for (const LogLine& line : session.log.lines()) EXPECT_EQ(line.severity, Severity::note) << line.text;
 }
 
+TEST_F(Exports, ADifferenceIsWrittenUnderANameOfItsOwn) {
+    test::write_text("plate.yaml", test::plate_scene(16, 8));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    ASSERT_TRUE(session.open_unpolarized_twin());
+    for (const auto& document : session.documents()) {
+        document->set_resting(false);
+        test::finish(*document);
+    }
+    session.show(Quantity::azimuth);
+    ASSERT_TRUE(session.comparison());
+    export_map(session);
+    wait_for_exports(session);
+    EXPECT_TRUE(fs::exists("plate-unpolarized-azimuth-difference.png"));
+    for (const LogLine& line : session.log.lines()) EXPECT_EQ(line.severity, Severity::note) << line.text;
+}
+
 }  // namespace
 }  // namespace pol

@@ -110,6 +110,7 @@ class Window:
 
     def screenshot(self, path):
         subprocess.run(["import", "-window", "root", str(path)], env=self.display.environment, check=True)
+        return path
 
     # What a person does ---------------------------------------------------------------------------------------------
 

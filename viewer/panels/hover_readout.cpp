@@ -23,8 +23,8 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
                            short_number(reading.color[1], 4), short_number(reading.color[2], 4), bench);
     }
     const double nm = reading.wavelengths[session.view.wavelength].wavelength_nm;
-    if (const auto comparison = session.comparison()) {
-        const ShownQuantity both(*session.current(), session.view, session.bench, comparison);
+    if (session.comparison()) {
+        const ShownQuantity both = session.shown_quantity();
         const std::size_t pixel = session.current()->picture().pixel(reading.address.x, reading.address.y);
         const auto text = [&](const MapPixel& value) { return reading_text(quantity, {value, std::nullopt}); };
         return fmt::format("{}  {} {} minus {}: {}  {:.6g} nm{}", place, info(quantity).title, text(both.own(pixel)),

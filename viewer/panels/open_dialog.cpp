@@ -2,7 +2,6 @@
 #include "viewer/panels/open_dialog.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -11,7 +10,6 @@
 
 #include "viewer/widgets/path_entry.h"
 #include "viewer/widgets/theme.h"
-#include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
@@ -59,21 +57,11 @@ void OpenDialog::draw(Session& session) {
         look();
         ImGui::OpenPopup(name);
     }
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({0.5F * display.x, 0.15F * display.y}, ImGuiCond_Always, {0.5F, 0.0F});
-    ImGui::SetNextWindowSize({44.0F * em, 0.0F});
-    if (!ImGui::BeginPopupModal(name, &visible, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
-    log_window();
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-6.0F * em);
-    bool wanted =
-        ImGui::InputTextWithHint("##path", "scene.yaml or picture.exr", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::SameLine();
-    wanted |= ImGui::Button("Open", {-1.0F, 0.0F});
+    bool wanted = false;
+    if (!begin_path_sheet(name, visible, typed_, "scene.yaml or picture.exr", "Open", was_refused_, wanted)) return;
     if (typed_ != looked_for_) look();
 
-    ImGui::BeginChild("files", {0.0F, 18.0F * em});
+    ImGui::BeginChild("files", {0.0F, 18.0F * ImGui::GetFontSize()});
     for (const fs::path& match : matches_) {
         const bool is_folder = !match.has_filename();
         const std::string label = is_folder ? match.parent_path().filename().string() + "/" : match.filename().string();
@@ -94,14 +82,8 @@ void OpenDialog::draw(Session& session) {
             refused_ = session.log.lines().back().text;
         }
     }
-    if (!refused_.empty()) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextColored(colors(session.window.theme).error, "%s", refused_.c_str());
-        ImGui::PopTextWrapPos();
-    }
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) visible = false;
-    if (!visible) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    was_refused_ = wanted && visible;
+    end_path_sheet(visible, refused_, colors(session.window.theme).error);
 }
 
 }  // namespace pol

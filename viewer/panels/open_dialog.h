@@ -19,6 +19,7 @@ private:
 
     std::string typed_;
     std::string looked_for_;                      // typed_ when matches_ was made
+    bool was_refused_ = false;                    // in the last frame
     std::string refused_;                         // why the file could not be opened
     std::vector<std::filesystem::path> matches_;  // folders first
 };

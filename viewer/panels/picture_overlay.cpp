@@ -41,7 +41,7 @@ public:
         if (session.view.quantity == Quantity::color)
             weights_ = color_weights(shown_.picture().wavelengths_nm);
         else
-            quantity_.emplace(*session.current(), session.view, session.bench, session.comparison());
+            quantity_.emplace(session.shown_quantity());
     }
 
     [[nodiscard]] std::string text(std::size_t pixel) const {

@@ -2,13 +2,11 @@
 #include "viewer/panels/save_as_dialog.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <system_error>
 
 #include "viewer/widgets/path_entry.h"
 #include "viewer/widgets/theme.h"
-#include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
@@ -44,32 +42,12 @@ void SaveAsDialog::draw(Session& session) {
         to_replace_.clear();
         ImGui::OpenPopup(name);
     }
-    const float em = ImGui::GetFontSize();
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5F * display.x, 0.15F * display.y}, ImGuiCond_Always, {0.5F, 0.0F});
-    ImGui::SetNextWindowSize({44.0F * em, 0.0F});
-    if (!ImGui::BeginPopupModal(name, &visible, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
-    log_window();
     // Enter takes the keyboard from the entry; a refused name is to be corrected.
-    if (ImGui::IsWindowAppearing() || was_refused_) ImGui::SetKeyboardFocusHere();
-    was_refused_ = false;
-    ImGui::SetNextItemWidth(-6.0F * em);
-    bool wanted = ImGui::InputTextWithHint("##path", "scene.yaml", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::SameLine();
-    wanted |= ImGui::Button("Save", {-1.0F, 0.0F});
-    name_widget("button save as");
-    if (wanted) {
-        save(session);
-        was_refused_ = visible;
-    }
-    if (!complaint_.empty()) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextColored(colors(session.window.theme).warning, "%s", complaint_.c_str());
-        ImGui::PopTextWrapPos();
-    }
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) visible = false;
-    if (!visible) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    bool wanted = false;
+    if (!begin_path_sheet(name, visible, typed_, "scene.yaml", "Save", was_refused_, wanted)) return;
+    if (wanted) save(session);
+    was_refused_ = wanted && visible;
+    end_path_sheet(visible, complaint_, colors(session.window.theme).warning);
 }
 
 }  // namespace pol
