@@ -9,7 +9,12 @@
 
 namespace pol {
 
+#if defined(__SIZEOF_FLOAT128__)
 __extension__ typedef __float128 NativeQuad;  // NOLINT: __extension__ takes no alias declaration
+#else
+using NativeQuad = long double;  // the same format on arm64 and RISC-V
+static_assert(std::numeric_limits<NativeQuad>::digits == 113, "this machine has no 128-bit floating-point numbers");
+#endif
 
 struct Quad {
     NativeQuad value;

@@ -2,7 +2,11 @@
 // Long because proposing in float and deciding in double share the state of one query.
 #include "geometry/ray_caster.h"
 
+#if POL_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -218,9 +222,27 @@ private:
     double refused_ = infinity;
 };
 
+// Embree 3 and 4 differ in the name of a query's context and in how it is passed, and in nothing else that is used here.
+#if POL_EMBREE == 3
+using QueryContext = RTCIntersectContext;
+void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &ray);
+}
+#else
+using QueryContext = RTCRayQueryContext;
+void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
+    rtcInitRayQueryContext(&context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    rtcIntersect1(scene, &ray, &arguments);
+}
+#endif
+
 // Embree hands the context back to the filter; it must come first.
 struct EmbreeQuery {
-    RTCIntersectContext context{};
+    QueryContext context{};
     Query* query = nullptr;
     const std::vector<Solid>* solids = nullptr;
     double scale = 1.0;     // world -> Embree lengths
@@ -322,7 +344,6 @@ void RayCaster::Impl::ask_embree(Query& query, const DVec3& o, const DVec3& d) c
     const DVec3 origin = from + begin * direction;
 
     EmbreeQuery e;
-    rtcInitIntersectContext(&e.context);
     e.query = &query;
     e.solids = &solids;
     e.scale = scale;
@@ -344,7 +365,7 @@ void RayCaster::Impl::ask_embree(Query& query, const DVec3& o, const DVec3& d) c
                .flags = 0};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene.get(), &e.context, &ray);
+    intersect(scene.get(), e.context, ray);
 }
 
 RayCaster::RayCaster(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -67,7 +67,7 @@ THREAD_USERS = {"render": THREADS, "film": {"mutex"}}
 
 # Part of viewer/ -> beginnings of library headers it may not include. The first part that a path begins with counts;
 # what is not named is the session: no window, no GL, no ImGui.
-IMGUI, GL, WINDOW = ("imgui", "backends/imgui"), ("GL/", "EGL/"), ("GLFW/",)
+IMGUI, GL, WINDOW = ("imgui",), ("GL/", "EGL/"), ("GLFW/",)
 VIEWER_NOT = {
     "panels/": GL + WINDOW,
     "widgets/": GL + WINDOW,
