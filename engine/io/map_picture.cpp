@@ -218,9 +218,10 @@ private:
         return notes;
     }
 
+    /// On whole pixels: between them, versions of cairo place letters differently.
     void text(double x, double y, const std::string& line, double gray) {
         cairo_set_source_rgb(context_.get(), gray, gray, gray);
-        cairo_move_to(context_.get(), x, y);
+        cairo_move_to(context_.get(), std::round(x), std::round(y));
         cairo_show_text(context_.get(), line.c_str());
     }
 
