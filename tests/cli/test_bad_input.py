@@ -6,7 +6,7 @@ import os
 import unittest
 from pathlib import Path
 
-from program import CAMERA, SCENES, ProgramTest, main
+from program import CAMERA, SCENES, ProgramTest, bound_by_permissions, main
 
 EMPTY = CAMERA + "objects: []\n"
 
@@ -105,9 +105,7 @@ class BadScenes(ProgramTest):
     def test_a_scene_that_may_not_be_read_is_refused(self):
         scene = self.write("scene.yaml", EMPTY)
         scene.chmod(0)
-        self.folder.chmod(0o755)
-        as_nobody = {"user": 65534} if os.getuid() == 0 else {}
-        done = self.run_program("render", "scene.yaml", "-o", "out.exr", **as_nobody)
+        done = self.run_program("render", "scene.yaml", "-o", "out.exr", **bound_by_permissions())
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("scene.yaml: ", done.stderr)
         self.assertIn("check that you may read it", done.stderr)
