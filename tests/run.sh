@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every check, from a bare Debian 12: installs what is missing, builds, tests. See --help.
+# Every check, from a bare Debian: installs what is missing, builds, tests. See --help.
 set -uo pipefail
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(cd "$(dirname "$0")/.." && pwd -P)
 
 usage() {
     cat <<'END'
@@ -16,7 +16,8 @@ Steps, all by default, in this order:
   tsan      ThreadSanitizer over the tests labelled threads (render, film)
   fuzz      libFuzzer for 60 s in all on everything that reads files; longer: tests/fuzz/run.sh
 Prints what each step took, then "N passed, N failed", and exits 1 if anything failed. A build that breaks, or a step that
-does not end in time, counts as one failure. JOBS=N sets the number of jobs, 2 by default.
+does not end in time, counts as one failure. JOBS=N sets the number of jobs, 2 by default; BUILD=FOLDER builds there, not in
+build/. On a system without apt, install what packages.txt lists for "test" first.
 END
 }
 
@@ -48,19 +49,25 @@ step() {
 }
 
 build() {
-    configure "$1" && cmake --build "$root/build/$1" -j "$jobs" --target "${@:2}" -- --quiet && return 0
+    local options=(-DPOL_TESTS=ON)
+    [ "$1" != fuzz ] || options=()
+    if configure "$1" "${options[@]}"; then
+        cmake --build "$build/$1" -j "$jobs" --target "${@:2}" -- --quiet && return 0
+    else
+        say "$(why_not_configured "$1" run test)"
+    fi
     failed=$((failed + 1))
     return 1
 }
 
 # run_tests PRESET SECONDS [CTEST OPTION...]: counts what CTest counts. Skipped tests are neither passed nor failed.
 run_tests() {
-    local report=$root/build/$1/ctest.xml status=0 summary total bad skipped
+    local report=$build/$1/ctest.xml status=0 summary total bad skipped
     rm -f "$report"
-    timeout --kill-after=30 "$2" "${wrap[@]}" ctest --test-dir "$root/build/$1" -j "$jobs" --output-on-failure --no-tests=error \
-        --output-junit "$report" "${@:3}" </dev/null >"$root/build/$1/ctest.log" 2>&1 || status=$?
+    timeout --kill-after=30 "$2" "${wrap[@]}" ctest --test-dir "$build/$1" -j "$jobs" --output-on-failure --no-tests=error \
+        --output-junit "$report" "${@:3}" </dev/null >"$build/$1/ctest.log" 2>&1 || status=$?
     if [ ! -f "$report" ]; then
-        tail -n 40 "$root/build/$1/ctest.log"
+        tail -n 40 "$build/$1/ctest.log"
         say "ctest did not finish (status $status; 124 means out of time)"
         failed=$((failed + 1))
         return 1
@@ -71,17 +78,17 @@ run_tests() {
     [ $status -eq 0 ] || [ "$bad" -gt 0 ] || bad=1
     passed=$((passed + total - bad - skipped))
     failed=$((failed + bad))
-    [ $status -eq 0 ] || grep -vE ' Passed  |^ *Start ' "$root/build/$1/ctest.log"
+    [ $status -eq 0 ] || grep -vE ' Passed  |^ *Start ' "$build/$1/ctest.log"
     say "$1: $((total - bad - skipped)) of $total tests passed, $bad failed, $skipped skipped"
     return $status
 }
 
 # Only what the build compiles: clang-tidy would guess the flags of other files. Clang does not know all of GCC's warnings.
 tidy() {
-    local database=$root/build/release/compile_commands.json
-    grep -o '"file": "[^"]*"' "$database" | cut -d '"' -f 4 | grep -E "^$root/(engine|viewer)/" | sort -u |
+    local database=$build/release/compile_commands.json
+    grep -o '"file": "[^"]*"' "$database" | cut -d '"' -f 4 | grep -F -e "$root/engine/" -e "$root/viewer/" | sort -u |
         xargs -r -d '\n' -P "$jobs" -n 1 \
-        clang-tidy --quiet --extra-arg-before=-Wno-unknown-warning-option -p "$root/build/release" 2>/dev/null || {
+        clang-tidy --quiet --extra-arg-before=-Wno-unknown-warning-option -p "$build/release" 2>/dev/null || {
         failed=$((failed + 1))
         return 1
     }
@@ -99,7 +106,7 @@ fuzz() {
 }
 
 begin=$SECONDS
-mkdir -p "$root/build"
+make_build_folder
 step "packages" install_packages run test
 
 # Address space randomization wider than the sanitizers of GCC 12 expect makes them abort on some kernels.

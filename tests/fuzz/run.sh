@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds the fuzz targets and runs them. See --help.
 set -uo pipefail
-root=$(cd "$(dirname "$0")/../.." && pwd)
+root=$(cd "$(dirname "$0")/../.." && pwd -P)
 every_kind=(scene mesh index texture exr)
 
 usage() {
@@ -30,9 +30,10 @@ done
 
 # shellcheck source=tests/support/setup.sh
 . "$root/tests/support/setup.sh"
-build=$root/build/fuzz
-mkdir -p "$root/build"
-configure fuzz && cmake --build "$build" -j "${JOBS:-2}" --target polariscope_fuzz -- --quiet || exit 100
+make_build_folder
+configure fuzz || { why_not_configured fuzz run test >&2 && exit 100; }
+build=$build/fuzz
+cmake --build "$build" -j "${JOBS:-2}" --target polariscope_fuzz -- --quiet || exit 100
 
 # Every input becomes a file, most of the work if that lies on a disk.
 scratch=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)

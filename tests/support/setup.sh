@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by run.sh and tests/run.sh: brings a Debian 12 machine to the point where CMake can configure.
-# Expects: `root`, the top of the working tree.
+# Sourced by run.sh and the scripts of tests/: brings a machine to the point where CMake can configure.
+# Expects: `root`, the top of the working tree. Sets: `build`, the folder of all builds: BUILD, or build/ in the tree.
 
 say() { printf '%s\n' "$*"; }
 fail() {
@@ -8,26 +8,78 @@ fail() {
     exit 1
 }
 
-# wanted_packages GROUP...: the packages of these groups of packages.txt.
-wanted_packages() {
-    awk -v groups=" $* " '!/^#/ && NF == 2 && index(groups, " " $2 " ") { print $1 }' "$root/tests/support/packages.txt"
+# packages_of SYSTEM GROUP...: the packages of these groups in a system's column of packages.txt.
+packages_of() {
+    awk -v name="$1" -v groups=" ${*:2} " '
+        $1 == "#who" { for (i = 1; i <= NF; ++i) if ($i == name) column = i }
+        !/^#/ && column && index(groups, " " $1 " ") && $column != "" && $column != "-" { print $column }
+    ' "$root/tests/support/packages.txt" | sort -u
 }
 
-# missing_packages GROUP...: those of them that are not installed.
+# this_system: "debian" (and what descends from it), "fedora", "arch", "homebrew", or nothing if it is none of them.
+this_system() {
+    if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then
+        say debian
+        return
+    fi
+    local kin=""
+    # shellcheck source=/dev/null
+    kin=$(. "${OS_RELEASE:-/etc/os-release}" 2>/dev/null && say "${ID-} ${ID_LIKE-}")
+    case " $kin $(uname -s) " in
+    *" fedora "*) say fedora ;;
+    *" arch "*) say arch ;;
+    *" Darwin "*) say homebrew ;;
+    esac
+}
+
+# how_to_install SYSTEM GROUP...: the command that installs them, and what has to be had elsewhere.
+how_to_install() {
+    local name here=() elsewhere=""
+    for name in $(packages_of "${1:-debian}" "${@:2}"); do
+        case $name in
+        none:*) elsewhere+=", ${name#none:}" ;;
+        aur:*) elsewhere+=", ${name#aur:} (in the AUR)" ;;
+        *) here+=("$name") ;;
+        esac
+    done
+    elsewhere=${elsewhere:+; not packaged there: ${elsewhere#, }}
+    case $1 in
+    fedora) say "sudo dnf install ${here[*]}$elsewhere" ;;
+    arch) say "sudo pacman -S --needed ${here[*]}$elsewhere" ;;
+    homebrew) say "brew install ${here[*]}$elsewhere" ;;
+    *) say "what Debian calls ${here[*]}" ;;
+    esac
+}
+
+if [ "$(this_system)" = homebrew ]; then
+    fail "nobody has built this on macOS yet; its libraries: $(how_to_install homebrew run); then: cmake --preset release"
+fi
+
+build=$(realpath -m -- "${BUILD:-$root/build}")
+make_build_folder() {
+    mkdir -p "$build" 2>/dev/null && [ -w "$build" ] ||
+        fail "cannot write to $build; choose another folder with BUILD=FOLDER"
+}
+
+# Compiled objects are shared between clones, whatever folder they lie in; without a place for them, they are not kept.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+ccache_folder=${CCACHE_DIR:-${XDG_CACHE_HOME:-${HOME-/dev/null}/.cache}/ccache}
+mkdir -p "$ccache_folder" 2>/dev/null && [ -w "$ccache_folder" ] || export CCACHE_DISABLE=1
+
+# missing_packages GROUP...: the Debian packages of these groups that are not installed.
 missing_packages() {
     local package
-    for package in $(wanted_packages "$@"); do
+    for package in $(packages_of debian "$@"); do
         dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || say "$package"
     done
 }
 
-# install_packages GROUP...: asks apt for what is missing, and does nothing if nothing is.
+# install_packages GROUP...: asks apt for what is missing, and does nothing if nothing is. Where there is no apt, CMake
+# will see what is missing.
 install_packages() {
-    command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
-        fail "this is no Debian system (no apt-get). Install what tests/support/packages.txt lists, then build with:
-    cmake --preset release && cmake --build --preset release"
+    [ "$(this_system)" = debian ] || return 0
     local missing
-    missing=$(missing_packages "$@" | tr '\n' ' ')
+    missing=$(missing_packages "$@" | paste -sd ' ' -)
     [ -n "$missing" ] || return 0
 
     local as_root=()
@@ -35,24 +87,52 @@ install_packages() {
         command -v sudo >/dev/null || fail "needs root, or sudo, to install: $missing"
         as_root=(sudo)
         [ -t 0 ] || as_root=(sudo -n)
-        "${as_root[@]}" true || fail "sudo refused; as root, run: apt-get install --no-install-recommends $missing"
+        "${as_root[@]}" true 2>/dev/null || fail "sudo refused; as root, run: apt-get install --no-install-recommends $missing"
     fi
     say "installing: $missing"
-    "${as_root[@]}" apt-get -q update </dev/null >/dev/null ||
-        fail "apt-get update failed: is there a network, and is /etc/apt/sources.list right?"
+    # A machine that has just started may still be busy with updates of its own.
+    local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600)
+    local log
+    log=$(mktemp)
+    # An unreachable mirror is only a warning of `update`.
+    if ! "${apt[@]}" -q -o APT::Update::Error-Mode=any update </dev/null >"$log" 2>&1; then
+        fail "apt-get update failed, so that these cannot be installed: $missing ($(apt_says "$log"))"
+    fi
     # shellcheck disable=SC2086 # a list of package names
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing </dev/null \
-        >/dev/null || fail "apt-get could not install: $missing"
+    if ! "${apt[@]}" -qq install -y --no-install-recommends $missing </dev/null >"$log" 2>&1; then
+        fail "apt-get could not install: $missing ($(apt_says "$log"))"
+    fi
+    rm -f "$log"
 }
 
-# Compiled objects are shared between clones, whatever folder they lie in.
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+# The first complaint in apt's output.
+apt_says() { grep -m 1 '^E: ' "$1" || grep -m 1 '^W: ' "$1" || tail -n 1 "$1"; }
 
-# configure PRESET: once; after that the build itself sees when a CMake file changed.
+# configure PRESET [-DNAME=VALUE...]: once; after that the build itself sees when a CMake file changed. Anew if the tree or
+# the build was moved, or if an option has another value.
 configure() {
-    [ -f "$root/build/$1/build.ninja" ] && return 0
-    (cd "$root" && cmake --preset "$1" >"$root/build/configure-$1.log" 2>&1) || {
-        tail -n 30 "$root/build/configure-$1.log" >&2
+    local folder=$build/$1 log=$build/configure-$1.log cache=$build/$1/CMakeCache.txt option fresh=() same=yes
+    if [ -f "$cache" ]; then
+        grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache" && grep -qxF "CMAKE_CACHEFILE_DIR:INTERNAL=$folder" "$cache" ||
+            fresh=(--fresh) same=no
+        for option in "${@:2}"; do
+            [[ $option =~ ^-D(.*)=(.*)$ ]]
+            grep -qE "^${BASH_REMATCH[1]}:[A-Z]+=${BASH_REMATCH[2]}\$" "$cache" || same=no
+        done
+    fi
+    [ $same = no ] || [ ! -f "$folder/build.ninja" ] || return 0
+    (cd "$root" && cmake --preset "$1" -B "$folder" "${fresh[@]}" "${@:2}") >"$log" 2>&1 || {
+        [ "$(this_system)" != debian ] || tail -n 30 "$log" >&2
         return 1
     }
+}
+
+# What to say when CMake could not configure: the first thing that it misses, and how to get it.
+why_not_configured() {
+    local missed system
+    missed=$(grep -m 1 -oE 'Could NOT find [^ ]+|Could not find a package configuration file provided by "[^"]+"|No package .[^ ]+. found|cmake: (command )?not found|.*No such preset.*' \
+        "$build/configure-$1.log" || tail -n 1 "$build/configure-$1.log")
+    system=$(this_system)
+    [ "$system" = debian ] || missed="$missed; install: $(how_to_install "$system" "${@:2}")"
+    say "CMake could not configure, see $build/configure-$1.log: $missed"
 }

@@ -4,4 +4,4 @@
 # Usage: tests/viewer/screenshots.sh [FOLDER]     (default ./screenshots; needs build/release/polariscope, Xvfb, xdotool)
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
-exec python3 "$root/tests/viewer/screenshots.py" "$root/build/release/polariscope" "${1-screenshots}"
+exec python3 "$root/tests/viewer/screenshots.py" "${BUILD:-$root/build}/release/polariscope" "${1-screenshots}"
