@@ -5,10 +5,12 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "viewer/commands.h"
@@ -75,32 +77,16 @@ void on_close(GLFWwindow* window) {
     self(window).session().window.quit = Quit::asked;
 }
 
-/// Before ImGui's backend, which calls these in turn. Its own key callback is called by on_key.
+/// Before ImGui's back end puts its own callbacks in front, which call these in turn.
 void set_callbacks(GLFWwindow* window) {
-    glfwSetKeyCallback(window, on_key);
     glfwSetDropCallback(window, on_drop);
     glfwSetWindowCloseCallback(window, on_close);
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { self(w).note_input(); });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
-        self(w).note_input();
-        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
-    });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-        self(w).note_input();
-        ImGui_ImplGlfw_ScrollCallback(w, x, y);
-    });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
-        self(w).note_input();
-        ImGui_ImplGlfw_CharCallback(w, character);
-    });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-        self(w).note_input();
-        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
-    });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-        self(w).note_input();
-        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
-    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { self(w).note_input(); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { self(w).note_input(); });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int) { self(w).note_input(); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { self(w).note_input(); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { self(w).note_input(); });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { self(w).note_input(); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { self(w).note_input(); });
     glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { self(w).note_input(); });
@@ -109,6 +95,10 @@ void set_callbacks(GLFWwindow* window) {
 }  // namespace
 
 Result<std::unique_ptr<WindowLibrary>> WindowLibrary::start() {
+#ifdef GLFW_PLATFORM
+    // GLFW 3.4 asks for a Wayland display first, whose library complains on stderr where there is none.
+    if (std::getenv("WAYLAND_DISPLAY") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() == GLFW_FALSE)
         return usage("there is no display to open a window on",
                      "render to a file instead: polariscope render SCENE -o OUT.exr");
@@ -146,9 +136,10 @@ Result<std::unique_ptr<AppWindow>> AppWindow::open(Session& session, const AppOp
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
-    ImGui_ImplGlfw_InitForOpenGL(window, false);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
     set_callbacks(window);
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    glfwSetKeyCallback(window, on_key);  // in place of ImGui's, which it calls
+    ImGui_ImplOpenGL3_Init("#version 330 core");
     return opened;
 }
 
@@ -176,6 +167,14 @@ double AppWindow::begin_frame() {
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     return scale;
+}
+
+bool AppWindow::input_waits() const {
+#if IMGUI_VERSION_NUM < 18700
+    return false;
+#else
+    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+#endif
 }
 
 double AppWindow::pixel_ratio() const {

@@ -55,6 +55,8 @@ public:
 
     /// True once after something happened that the picture may depend on: input, resize, exposure.
     bool take_input() { return std::exchange(input_, false); }
+    /// True if ImGui keeps input for the next frame, as it does since 1.87: a press and its release take a frame each.
+    [[nodiscard]] bool input_waits() const;
 
     /// Begins a frame of ImGui; fonts fit the screen and the user's scale. Returns the scale of fonts and widgets.
     double begin_frame();

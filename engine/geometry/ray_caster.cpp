@@ -222,7 +222,8 @@ private:
     double refused_ = infinity;
 };
 
-// Embree 3 and 4 differ in the name of a query's context and in how it is passed, and in nothing else that is used here.
+// Embree 3 and 4 differ in the name of a query's context and in how it is passed, and in nothing else that is used
+// here.
 #if POL_EMBREE == 3
 using QueryContext = RTCIntersectContext;
 void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {

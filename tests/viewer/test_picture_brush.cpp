@@ -52,18 +52,17 @@ TEST(HistogramPanel, ABrushMarksExactlyThePixelsInRange) {
     window.session.update();
     HistogramPanel panel;
     const auto draw = [&] { draw_alone([&] { panel.draw(window.session); }); };
-    ImGuiIO& io = ImGui::GetIO();
     const float left = ImGui::GetStyle().WindowPadding.x;
     const float width = 300.0F - 2.0F * left;
     const auto x_of = [&](double value) { return static_cast<float>(std::floor(left + value * width)); };
-    io.MousePos = {x_of(0.3), 40.0F};
+    test::put_mouse({x_of(0.3), 40.0F});
     draw();
     draw();
-    io.MouseDown[0] = true;
+    test::hold_button(0, true);
     draw();
-    io.MousePos = {x_of(0.6), 40.0F};
+    test::put_mouse({x_of(0.6), 40.0F});
     draw();
-    io.MouseDown[0] = false;
+    test::hold_button(0, false);
     draw();
     const double low = (x_of(0.3) - left) / width;
     const double high = (x_of(0.6) - left) / width;
@@ -75,9 +74,9 @@ TEST(HistogramPanel, ABrushMarksExactlyThePixelsInRange) {
     }
     EXPECT_EQ(std::count(marked.begin(), marked.end(), true), 48) << "rows 4, 5 and 6 of 11";
 
-    io.MouseDown[0] = true;
+    test::hold_button(0, true);
     draw();
-    io.MouseDown[0] = false;
+    test::hold_button(0, false);
     draw();
     EXPECT_TRUE(window.session.selection.marked.empty()) << "a click takes the marks away";
 }
@@ -102,25 +101,25 @@ TEST(Dial, TurnsTheAxisTowardsTheMouse) {
     WindowWithoutGl window;
     double axis = 0.0;
     const auto draw = [&] { draw_alone([&] { axis_dial("dial", axis, 60.0F); }); };
-    ImGuiIO& io = ImGui::GetIO();
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     const ImVec2 center(padding.x + 30.0F, padding.y + 30.0F);
-    io.MousePos = {center.x + 20.0F, center.y};
+    test::put_mouse({center.x + 20.0F, center.y});
     draw();
     draw();
-    io.MouseDown[0] = true;
+    test::hold_button(0, true);
     draw();
-    io.MousePos = {center.x + 20.0F, center.y - 20.0F};
+    test::put_mouse({center.x + 20.0F, center.y - 20.0F});
     draw();
     EXPECT_NEAR(degrees(axis), 45.0, 1e-6) << "up on screen is counter-clockwise";
-    io.MousePos = {center.x - 20.0F, center.y - 20.0F};
+    test::put_mouse({center.x - 20.0F, center.y - 20.0F});
     draw();
     EXPECT_NEAR(degrees(axis), 135.0, 1e-6);
-    io.MousePos = {center.x - 20.0F, center.y + 20.0F};
+    test::put_mouse({center.x - 20.0F, center.y + 20.0F});
     draw();
     EXPECT_NEAR(degrees(axis), 45.0, 1e-6) << "an axis has no arrow";
-    io.KeyShift = true;
-    io.MousePos = {center.x + 20.0F, center.y - 13.0F};
+    test::hold_shift(true);
+    draw();
+    test::put_mouse({center.x + 20.0F, center.y - 13.0F});
     draw();
     EXPECT_NEAR(degrees(axis), 30.0, 1e-6);
 }

@@ -64,7 +64,7 @@ TEST_F(PicturePanelTest, TheWheelZoomsAtTheCursor) {
 }
 
 TEST_F(PicturePanelTest, ShiftAndDragDrawsARegion) {
-    ImGui::GetIO().KeyShift = true;
+    test::hold_shift(true);
     const DVec2 before = window.session.transform.offset;
     window.drag(window.place_of({6, 8}), window.place_of({2, 3}));
     const auto& region = window.session.selection.region;
@@ -121,9 +121,9 @@ TEST_F(PicturePanelTest, TheEndsOfTheColorBarCanBeDraggedAndGivenBack) {
     EXPECT_EQ(map_look(window.session).range.low, 0.0);
     window.move({left + 0.5 * bar_width, y});
     for (int i = 0; i < 2; ++i) {
-        ImGui::GetIO().MouseDown[0] = true;
+        test::hold_button(0, true);
         window.draw(1);
-        ImGui::GetIO().MouseDown[0] = false;
+        test::hold_button(0, false);
         window.draw(1);
     }
     EXPECT_EQ(map_look(window.session).range.high, 1.0);
@@ -171,7 +171,7 @@ protected:
 };
 
 TEST_F(CameraDragTest, AltAndDragOrbitsInOneStep) {
-    ImGui::GetIO().KeyAlt = true;
+    test::hold_alt(true);
     const DVec2 offset = window.session.transform.offset;
     window.drag(from, from + DVec2(100.0, 0.0));
     EXPECT_EQ(window.session.transform.offset, offset) << "the picture stays where it is";
@@ -185,7 +185,7 @@ TEST_F(CameraDragTest, AltAndDragOrbitsInOneStep) {
 }
 
 TEST_F(CameraDragTest, DragsAreStepsOfTheirOwn) {
-    ImGui::GetIO().KeyAlt = true;
+    test::hold_alt(true);
     window.drag(from, from + DVec2(100.0, 0.0));
     const DVec3 first = camera().position;
     window.drag(from, from + DVec2(0.0, 40.0));
@@ -196,15 +196,15 @@ TEST_F(CameraDragTest, DragsAreStepsOfTheirOwn) {
 }
 
 TEST_F(CameraDragTest, AnOrbitStopsBeforeThePole) {
-    ImGui::GetIO().KeyAlt = true;
+    test::hold_alt(true);
     window.drag(from, from + DVec2(0.0, 350.0));
     EXPECT_NEAR(camera().position.y / distance(before), std::sin(radians(89.0)), 1e-9);
     EXPECT_NEAR(distance(camera()), distance(before), 1e-12);
 }
 
 TEST_F(CameraDragTest, AltShiftAndDragKeepsTheTargetsPlaneUnderTheCursor) {
-    ImGui::GetIO().KeyAlt = true;
-    ImGui::GetIO().KeyShift = true;
+    test::hold_alt(true);
+    test::hold_shift(true);
     const DVec2 moved(60.0, -36.0);
     window.drag(from, from + moved);
     EXPECT_FALSE(window.session.selection.region);
@@ -218,16 +218,16 @@ TEST_F(CameraDragTest, AltShiftAndDragKeepsTheTargetsPlaneUnderTheCursor) {
 
 TEST_F(CameraDragTest, AltAndWheelDolliesInOneStepUntilAltIsLetGo) {
     window.move(from);
-    ImGui::GetIO().KeyAlt = true;
+    test::hold_alt(true);
     const double scale = window.session.transform.scale;
     window.turn_wheel(1.0F);
     window.turn_wheel(1.0F);
     EXPECT_NEAR(distance(before) / distance(camera()), 1.44, 1e-9);
     EXPECT_EQ(window.session.transform.scale, scale);
-    ImGui::GetIO().KeyAlt = false;
+    test::hold_alt(false);
     window.draw();
     const DVec3 first = camera().position;
-    ImGui::GetIO().KeyAlt = true;
+    test::hold_alt(true);
     window.turn_wheel(-3.0F);
     window.session.undo();
     EXPECT_EQ(camera().position, first);
@@ -243,7 +243,7 @@ TEST_F(CameraDragTest, WithoutAltTheViewMovesAndTheCameraStays) {
 }
 
 TEST_F(PicturePanelTest, APictureHasNoCameraToMove) {
-    ImGui::GetIO().KeyAlt = true;
+    test::hold_alt(true);
     const DVec2 from = window.place_of({3, 7});
     const DVec2 offset = window.session.transform.offset;
     window.drag(from, from + DVec2(40.0, 0.0));

@@ -95,18 +95,17 @@ TEST(SpherePanel, ALassoMarksPixelsOfThePicture) {
         ImGui::End();
         ImGui::Render();
     };
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyShift = true;
-    io.MousePos = {210.0F, 60.0F};
+    test::hold_shift(true);
+    test::put_mouse({210.0F, 60.0F});
     draw();
     draw();
-    io.MouseDown[0] = true;
+    test::hold_button(0, true);
     draw();
     for (const ImVec2 at : {ImVec2(210, 80), ImVec2(380, 80), ImVec2(380, 380), ImVec2(210, 380)}) {
-        io.MousePos = at;
+        test::put_mouse(at);
         draw();
     }
-    io.MouseDown[0] = false;
+    test::hold_button(0, false);
     draw();
     const std::vector<bool>& marked = window.session.selection.marked;
     ASSERT_EQ(marked.size(), 192u);

@@ -26,6 +26,7 @@
 #include "support/egl_context.h"
 #include "viewer/commands.h"
 #include "viewer/gl/gl.h"
+#include "viewer/injected_input.h"
 #include "viewer/interface.h"
 #include "viewer/picture_renderer.h"
 #include "viewer/widgets/fonts.h"
@@ -86,15 +87,6 @@ public:
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has: large lists
         io.DisplaySize = {1280.0F, 800.0F};
         io.DeltaTime = 1.0F / 60.0F;
-        for (const auto& [key, place] : {std::pair{ImGuiKey_Enter, 0},
-                                         {ImGuiKey_Escape, 1},
-                                         {ImGuiKey_UpArrow, 2},
-                                         {ImGuiKey_DownArrow, 3},
-                                         {ImGuiKey_Backspace, 4},
-                                         {ImGuiKey_Tab, 5},
-                                         {ImGuiKey_LeftArrow, 6},
-                                         {ImGuiKey_RightArrow, 7}})
-            io.KeyMap[key] = place;
         load_fonts(1.0);
         io.Fonts->Build();
         if (context_.problem().empty()) picture_ = PictureRenderer::create().value();
@@ -150,7 +142,6 @@ private:
         picture_->render(session_, std::max(1, static_cast<int>(frame.viewport.size.x)),
                          std::max(1, static_cast<int>(frame.viewport.size.y)), 1.0);
         ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-        io.MouseWheel = 0.0F;
         ++frames_;
         if (session_.current() != nullptr && session_.window.panels_visible) {
             ASSERT_TRUE(std::isfinite(session_.transform.scale));
@@ -174,28 +165,28 @@ private:
     }
 
     void move() {
-        ImGui::GetIO().MousePos = somewhere();
+        test::put_mouse(somewhere());
         frame();
     }
     void click() {
         move();
-        bool& down = ImGui::GetIO().MouseDown[uniform(0, 1) < 0.85 ? 0 : 1];
-        down = true;
+        const int button = uniform(0, 1) < 0.85 ? 0 : 1;
+        test::hold_button(button, true);
         frame();
-        down = false;
+        test::hold_button(button, false);
         frame();
     }
     void drag() {
         move();
-        ImGui::GetIO().MouseDown[0] = true;
+        test::hold_button(0, true);
         frame();
         for (int i = 0; i < 4; ++i) move();
-        ImGui::GetIO().MouseDown[0] = false;
+        test::hold_button(0, false);
         frame();
     }
     void wheel() {
         move();
-        ImGui::GetIO().MouseWheel = static_cast<float>(uniform(-3, 3));
+        test::turn_wheel(static_cast<float>(uniform(-3, 3)));
         frame();
     }
     /// A key as the window passes it on.
@@ -209,10 +200,12 @@ private:
         frame();
     }
     void press() {
-        bool& down = ImGui::GetIO().KeysDown[below(8)];
-        down = true;
+        constexpr std::array keys{ImGuiKey_Enter,     ImGuiKey_Escape, ImGuiKey_UpArrow,   ImGuiKey_DownArrow,
+                                  ImGuiKey_Backspace, ImGuiKey_Tab,    ImGuiKey_LeftArrow, ImGuiKey_RightArrow};
+        const ImGuiKey key = keys[below(keys.size())];
+        test::hold_key(key, true);
         frame();
-        down = false;
+        test::hold_key(key, false);
         frame();
     }
     void rest() {

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <string>
 
+#include "viewer/injected_input.h"
 #include "viewer/interface.h"
 
 namespace pol {
@@ -24,7 +25,7 @@ public:
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has: large lists
         io.DisplaySize = {width, height};
         io.DeltaTime = 1.0F / 60.0F;
-        io.MousePos = {-1.0F, -1.0F};
+        test::put_mouse({-1.0F, -1.0F});
         unsigned char* pixels = nullptr;
         int w = 0;
         int h = 0;
@@ -40,7 +41,6 @@ public:
             ImGui::NewFrame();
             interface.draw(session, frame);
             ImGui::Render();
-            ImGui::GetIO().MouseWheel = 0.0F;
         }
     }
 
@@ -64,15 +64,15 @@ public:
     }
 
     void move(const DVec2& at) {
-        ImGui::GetIO().MousePos = {static_cast<float>(std::floor(at.x)), static_cast<float>(std::floor(at.y))};
+        test::put_mouse({static_cast<float>(std::floor(at.x)), static_cast<float>(std::floor(at.y))});
         draw();
     }
     void press() {
-        ImGui::GetIO().MouseDown[0] = true;
+        test::hold_button(0, true);
         draw();
     }
     void release() {
-        ImGui::GetIO().MouseDown[0] = false;
+        test::hold_button(0, false);
         draw();
     }
     void click(const DVec2& at) {
@@ -88,7 +88,7 @@ public:
         release();
     }
     void turn_wheel(float notches) {
-        ImGui::GetIO().MouseWheel = notches;
+        test::turn_wheel(notches);
         draw();
     }
 
