@@ -119,9 +119,9 @@ void Interface::draw_tabs(Session& session, Stack stack) {
             true, "Fact", [&] { draw_fact_panel(session); },
             to_front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     }
-    tab(lower, "Paths", [&] { paths_.draw(session); });
-    tab(lower, "Table", [&] { rays_.draw(session); });
-    tab(lower, "3-D", [&] { space_.draw(session); });
+    tab(lower, "Paths", [&] { of_tree_->paths.draw(session); });
+    tab(lower, "Table", [&] { of_tree_->rays.draw(session); });
+    tab(lower, "3-D", [&] { of_tree_->space.draw(session); });
     tab(lower, "Sphere", [&] { sphere_.draw(session); });
     ImGui::EndTabBar();
 }
@@ -142,6 +142,7 @@ void Interface::draw(Session& session, Frame& frame) {
         theme_ = state.theme;
         theme_scale_ = frame.ui_scale;
     }
+    if (session.current() == nullptr) of_tree_.emplace();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const auto scale = static_cast<float>(frame.ui_scale);
     if (!state.panels_visible) {

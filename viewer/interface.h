@@ -35,6 +35,13 @@ private:
     /// Stacks of tabs on the right.
     enum class Stack : std::uint8_t { all, upper, lower };
 
+    /// Each keeps the tree that it showed last, which may be large; without a document they start anew.
+    struct TreePanels {
+        PathsPanel paths;
+        RayTablePanel rays;
+        SpacePanel space;
+    };
+
     void draw_left(Session& session);
     void draw_tabs(Session& session, Stack stack);
     void draw_sheets(Session& session);
@@ -43,9 +50,7 @@ private:
     HistogramPanel histogram_;
     PicturePanel picture_;
     PixelPanel pixel_;
-    PathsPanel paths_;
-    RayTablePanel rays_;
-    SpacePanel space_;
+    std::optional<TreePanels> of_tree_{std::in_place};
     SpherePanel sphere_;
     ScenePanel scene_;
     Welcome welcome_;
