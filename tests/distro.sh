@@ -45,7 +45,9 @@ namespaces=(setpriv --pdeathsig KILL unshare --mount --propagation private --pid
 "${namespaces[@]}" mount -t tmpfs tmpfs /mnt 2>/dev/null || cannot "this machine lets root mount nothing"
 # shellcheck source=support/setup.sh
 . "$root/tests/support/setup.sh"
-command -v debootstrap >/dev/null || (install_packages distro) || cannot "debootstrap cannot be installed"
+for tool in debootstrap git; do
+    command -v "$tool" >/dev/null || (install_packages distro) || cannot "$tool cannot be installed"
+done
 
 store=${XDG_CACHE_HOME:-${HOME-/root}/.cache}/polariscope/distro
 if ! { mkdir -p "$store" && exec 7>"$store/lock" && flock 7; } then cannot "$store cannot be written"; fi
@@ -65,6 +67,16 @@ for signal in HUP INT TERM; do
     # shellcheck disable=SC2064 # the number of this signal
     trap "complain 'stopped by SIG$signal'; exit $((128 + $(kill -l $signal)))" $signal
 done
+
+# apart COMMAND...: in namespaces of its own, and such that a signal need not wait for its end.
+apart() {
+    "${namespaces[@]}" "$@" <&0 &
+    inside=$!
+    wait "$inside"
+    local status=$?
+    inside=
+    return $status
+}
 
 # The Debian mirror of this machine, as apt knows it.
 mirror() {
@@ -86,7 +98,7 @@ if [ ! -f "$base" ]; then
     export http_proxy https_proxy
     [ -n "${http_proxy-}" ] || unset http_proxy
     [ -n "${https_proxy-}" ] || unset https_proxy
-    debootstrap --variant=minbase "$suite" "$system" "$mirror" >"$work/log" 2>&1 ||
+    apart debootstrap --variant=minbase "$suite" "$system" "$mirror" >"$work/log" 2>&1 ||
         cannot "debootstrap from $mirror: $(grep -m 1 '^E: ' "$work/log" || tail -n 1 "$work/log")"
     rm -f "$system"/var/cache/apt/archives/*.deb
     if ! { tar -C "$system" --numeric-owner -cf "$work/base" . && mv "$work/base" "$base"; } then cannot "$base cannot be written"; fi
@@ -126,7 +138,7 @@ mount_and_run() {
     local enter=(chroot "$system" "${clean[@]}")
     if [ $as_user = yes ]; then
         # shellcheck disable=SC2016 # for the shell inside
-        "${enter[@]}" sh -c 'apt-get -qq update && DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends sudo &&
+        "${enter[@]}" sh -c 'id -u user && exit; apt-get -qq update && DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends sudo &&
             useradd --shell /bin/bash --no-create-home user && echo "user ALL=(ALL) NOPASSWD: ALL" >/etc/sudoers.d/user &&
             chown -R user:user /home/user' >"$work/log" 2>&1 || { tail -n 3 "$work/log" >&2 && exit 77; }
         enter=(chroot --userspec=user:user --groups=user "$system" "${clean[@]}")
@@ -140,12 +152,7 @@ run() {
     [ $# -ne 1 ] || set -- bash -c "$1"
     mount_and_run=$(declare -f mount_and_run)
     export as_user ccache_folder home system work
-    "${namespaces[@]}" bash -c "given=(${given[*]@Q}); $mount_and_run; mount_and_run \"\$@\"" bash "$@" <&0 &
-    inside=$!
-    wait "$inside"
-    local status=$?
-    inside=
-    return $status
+    apart bash -c "given=(${given[*]@Q}); $mount_and_run; mount_and_run \"\$@\"" bash "$@"
 }
 
 given=()
