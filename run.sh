@@ -17,7 +17,7 @@ keys. With --render, or where there is no display, it renders the scene into out
 For color, one random path stands for what is left past 100 branches of a sample, so that crystals take a minute, not an
 hour; "polariscope render" without that limit is more exact.
 A second call installs, builds and renders only what is new, and needs neither root nor a network.
-On other systems it says what to install, and builds once that is there.
+On other Linux systems it says what to install, and builds once that is there.
 
 JOBS=N        number of compile jobs
 BUILD=FOLDER  builds there and renders into FOLDER/out, for a tree that cannot be written to

@@ -90,15 +90,13 @@ mirror() {
 }
 
 base=$store/$suite.tar
+mirror=${MIRROR:-$(mirror)}
 if [ ! -f "$base" ]; then
-    mirror=${MIRROR:-$(mirror)}
     [ -n "$mirror" ] || cannot "apt knows no Debian mirror here; name one with MIRROR=URL"
     # debootstrap does not read apt's settings.
-    eval "$(apt-config shell http_proxy Acquire::http::Proxy https_proxy Acquire::https::Proxy)"
-    export http_proxy https_proxy
-    [ -n "${http_proxy-}" ] || unset http_proxy
-    [ -n "${https_proxy-}" ] || unset https_proxy
-    apart debootstrap --variant=minbase "$suite" "$system" "$mirror" >"$work/log" 2>&1 ||
+    eval "$(apt-config shell http Acquire::http::Proxy https Acquire::https::Proxy)"
+    apart env ${http:+http_proxy="$http"} ${https:+https_proxy="$https"} \
+        debootstrap --variant=minbase "$suite" "$system" "$mirror" >"$work/log" 2>&1 ||
         cannot "debootstrap from $mirror: $(grep -m 1 '^E: ' "$work/log" || tail -n 1 "$work/log")"
     rm -f "$system"/var/cache/apt/archives/*.deb
     if ! { tar -C "$system" --numeric-owner -cf "$work/base" . && mv "$work/base" "$base"; } then cannot "$base cannot be written"; fi
@@ -106,6 +104,7 @@ else
     if ! { mkdir "$system" && tar -C "$system" --numeric-owner -xpf "$base"; } then cannot "$base cannot be unpacked"; fi
 fi
 exec 7>&-
+[ -z "$mirror" ] || say "deb $mirror $suite main" >"$system/etc/apt/sources.list"
 
 # Download settings of this machine: what is about the way to the mirror, not about what apt keeps or shows.
 apt-config dump | grep '^Acquire::' | grep -vE '^Acquire::(IndexTargets|CompressionTypes|Languages|Changelogs|cdrom)' \
@@ -133,7 +132,7 @@ mount_and_run() {
         mount --bind "$ccache_folder" "$system$home/.cache/ccache" || exit 77
     fi
     # Nothing of this machine's environment but the way to the network, and no signal ignored because a shell here does.
-    local clean=(env -i --default-signal HOME=$home PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
+    local clean=(env -i --default-signal HOME="$home" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
         TERM="${TERM-dumb}" "${given[@]}")
     local enter=(chroot "$system" "${clean[@]}")
     if [ $as_user = yes ]; then

@@ -10,7 +10,7 @@ Usage: tests/run.sh [STEP...]
 
 Steps, all by default, in this order:
   release   build with warnings as errors; all tests: unit, physics, include rules, formatting
-  tidy      clang-tidy (.clang-tidy) over engine/ and viewer/; needs the release build
+  tidy      clang-tidy 14 (.clang-tidy) over engine/ and viewer/; needs the release build
   asan      AddressSanitizer and UndefinedBehaviorSanitizer over every test but those labelled slow (whole renders
             that take minutes there; they run in release)
   tsan      ThreadSanitizer over the tests labelled threads (render, film)
@@ -84,11 +84,13 @@ run_tests() {
 }
 
 # Only what the build compiles: clang-tidy would guess the flags of other files. Clang does not know all of GCC's warnings.
+# Every version has checks of its own.
 tidy() {
+    command -v clang-tidy-14 >/dev/null || { say "clang-tidy 14 is not installed: skipped" && return; }
     local database=$build/release/compile_commands.json
     grep -o '"file": "[^"]*"' "$database" | cut -d '"' -f 4 | grep -F -e "$root/engine/" -e "$root/viewer/" | sort -u |
         xargs -r -d '\n' -P "$jobs" -n 1 \
-        clang-tidy --quiet --extra-arg-before=-Wno-unknown-warning-option -p "$build/release" 2>/dev/null || {
+        clang-tidy-14 --quiet --extra-arg-before=-Wno-unknown-warning-option -p "$build/release" 2>/dev/null || {
         failed=$((failed + 1))
         return 1
     }
@@ -106,8 +108,8 @@ fuzz() {
 }
 
 begin=$SECONDS
-make_build_folder
-step "packages" install_packages run test
+packages() { (make_build_folder && install_packages run test); }
+step "packages" packages || { say "0 passed, 1 failed" && exit 1; }
 
 # Address space randomization wider than the sanitizers of GCC 12 expect makes them abort on some kernels.
 unrandomized=()
@@ -115,8 +117,8 @@ setarch "$(uname -m)" -R true 2>/dev/null && unrandomized=(setarch "$(uname -m)"
 export UBSAN_OPTIONS=print_stacktrace=1
 # Everything a test allocates is freed again, but for what leaks.txt names.
 export ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1
-export LSAN_OPTIONS=suppressions=$root/tests/support/leaks.txt:print_suppressions=0
-export TSAN_OPTIONS=second_deadlock_stack=1:suppressions=$root/tests/support/races.txt:print_suppressions=0
+export LSAN_OPTIONS="suppressions='$root/tests/support/leaks.txt':print_suppressions=0"
+export TSAN_OPTIONS="second_deadlock_stack=1:suppressions='$root/tests/support/races.txt':print_suppressions=0"
 
 for name in "${steps[@]}"; do
     wrap=()

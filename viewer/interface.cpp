@@ -142,7 +142,8 @@ void Interface::draw(Session& session, Frame& frame) {
         theme_ = state.theme;
         theme_scale_ = frame.ui_scale;
     }
-    if (session.current() == nullptr) of_tree_.emplace();
+    if (session.documents().size() < documents_) of_tree_.emplace();
+    documents_ = session.documents().size();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const auto scale = static_cast<float>(frame.ui_scale);
     if (!state.panels_visible) {

@@ -35,7 +35,7 @@ private:
     /// Stacks of tabs on the right.
     enum class Stack : std::uint8_t { all, upper, lower };
 
-    /// Each keeps the tree that it showed last, which may be large; without a document they start anew.
+    /// Each keeps the tree that it showed last, which may be large: they start anew when a document is closed.
     struct TreePanels {
         PathsPanel paths;
         RayTablePanel rays;
@@ -51,6 +51,7 @@ private:
     PicturePanel picture_;
     PixelPanel pixel_;
     std::optional<TreePanels> of_tree_{std::in_place};
+    std::size_t documents_ = 0;  // that were open in the last frame
     SpherePanel sphere_;
     ScenePanel scene_;
     Welcome welcome_;

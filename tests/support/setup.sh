@@ -52,13 +52,17 @@ how_to_install() {
 }
 
 if [ "$(this_system)" = homebrew ]; then
-    fail "nobody has built this on macOS yet; its libraries: $(how_to_install homebrew run); then: cmake --preset release"
+    fail "this has not been ported to macOS yet; its libraries there: $(how_to_install homebrew run)"
 fi
 
 build=$(realpath -m -- "${BUILD:-$root/build}")
+# make_build_folder: and says what another user has left in it, as after a call with sudo.
 make_build_folder() {
-    mkdir -p "$build" 2>/dev/null && [ -w "$build" ] ||
-        fail "cannot write to $build; choose another folder with BUILD=FOLDER"
+    local path hint="choose another folder with BUILD=FOLDER"
+    mkdir -p "$build" 2>/dev/null || fail "cannot write to $build; $hint"
+    for path in "$build" "$build"/*; do
+        [ -w "$path" ] || [ ! -e "$path" ] || fail "cannot write to $path; $hint"
+    done
 }
 
 # Compiled objects are shared between clones, whatever folder they lie in; without a place for them, they are not kept.
@@ -90,29 +94,29 @@ install_packages() {
         "${as_root[@]}" true 2>/dev/null || fail "sudo refused; as root, run: apt-get install --no-install-recommends $missing"
     fi
     say "installing: $missing"
-    # A machine that has just started may still be busy with updates of its own.
-    local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600)
-    local log
+    local log waited=0 apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600)
     log=$(mktemp)
-    # An unreachable mirror is only a warning of `update`.
-    if ! "${apt[@]}" -q -o APT::Update::Error-Mode=any update </dev/null >"$log" 2>&1; then
-        fail "apt-get update failed, so that these cannot be installed: $missing ($(apt_says "$log"))"
-    fi
+    # A machine that has just started may be busy with updates of its own; that lock has no timeout. A repository out of
+    # reach does not matter if what is needed comes from another one.
+    until "${apt[@]}" -q update </dev/null >"$log" 2>&1 || [ $waited -ge 600 ] || ! grep -q 'Could not get lock' "$log"; do
+        [ $waited -gt 0 ] || say "waiting for another package manager to end"
+        sleep 5
+        waited=$((waited + 5))
+    done
     # shellcheck disable=SC2086 # a list of package names
-    if ! "${apt[@]}" -qq install -y --no-install-recommends $missing </dev/null >"$log" 2>&1; then
-        fail "apt-get could not install: $missing ($(apt_says "$log"))"
+    if ! "${apt[@]}" -qq install -y --no-install-recommends $missing </dev/null >>"$log" 2>&1; then
+        fail "apt-get could not install: $missing ($(grep -m 1 '^[EW]: ' "$log" || tail -n 1 "$log"))"
     fi
     rm -f "$log"
 }
 
-# The first complaint in apt's output.
-apt_says() { grep -m 1 '^E: ' "$1" || grep -m 1 '^W: ' "$1" || tail -n 1 "$1"; }
-
-# configure PRESET [-DNAME=VALUE...]: once; after that the build itself sees when a CMake file changed. Anew if the tree or
-# the build was moved, or if an option has another value.
+# configure PRESET [-DNAME=VALUE...]: once; after that the build itself sees when a CMake file changed. Again if an option has
+# another value; anew if the tree or the build was moved, or if it never came to an end.
 configure() {
     local folder=$build/$1 log=$build/configure-$1.log cache=$build/$1/CMakeCache.txt option fresh=() same=yes
-    if [ -f "$cache" ]; then
+    if [ ! -f "$folder/build.ninja" ]; then
+        fresh=(--fresh) same=no
+    else
         grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache" && grep -qxF "CMAKE_CACHEFILE_DIR:INTERNAL=$folder" "$cache" ||
             fresh=(--fresh) same=no
         for option in "${@:2}"; do
@@ -120,19 +124,20 @@ configure() {
             grep -qE "^${BASH_REMATCH[1]}:[A-Z]+=${BASH_REMATCH[2]}\$" "$cache" || same=no
         done
     fi
-    [ $same = no ] || [ ! -f "$folder/build.ninja" ] || return 0
+    [ $same = no ] || return 0
     (cd "$root" && cmake --preset "$1" -B "$folder" "${fresh[@]}" "${@:2}") >"$log" 2>&1 || {
         [ "$(this_system)" != debian ] || tail -n 30 "$log" >&2
         return 1
     }
 }
 
-# What to say when CMake could not configure: the first thing that it misses, and how to get it.
+# why_not_configured PRESET GROUP...: what CMake missed first, and how to get it.
 why_not_configured() {
-    local missed system
-    missed=$(grep -m 1 -oE 'Could NOT find [^ ]+|Could not find a package configuration file provided by "[^"]+"|No package .[^ ]+. found|cmake: (command )?not found|.*No such preset.*' \
-        "$build/configure-$1.log" || tail -n 1 "$build/configure-$1.log")
+    local log=$build/configure-$1.log missed system
+    missed=$(sed -n '/^CMake Error/,$p' "$log" | grep -m 1 -oE 'Could NOT find [^ ]+|not providing "Find[^".]+|file provided by "[^"]+"|Could not find [A-Z_]+|build program corresponding to "[^"]+"|No CMAKE_[A-Z_]+ could be found|Embree [0-9].* is needed' ||
+        sed '/^CMake Error/,$d' "$log" | grep -oE "(Package|No package) '[^']+'.* (not )?found" | tail -n 1 | grep . || tail -n 1 "$log")
+    missed=$(sed -E 's/^(not providing "Find|file provided by )"?([^"]+)"?/no package \2/' <<<"$missed")
     system=$(this_system)
     [ "$system" = debian ] || missed="$missed; install: $(how_to_install "$system" "${@:2}")"
-    say "CMake could not configure, see $build/configure-$1.log: $missed"
+    say "CMake could not configure, see $log: $missed"
 }

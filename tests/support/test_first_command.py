@@ -112,6 +112,20 @@ class FirstCommand(unittest.TestCase):
         machine = DEBIAN | {"id": "echo 0", "apt-get": 'case "$*" in *update) ;; *) echo "E: Unable to locate package x"; exit 100 ;; esac'}
         self.refused(self.run_sh(machine=machine), "Unable to locate package x")
 
+    def test_another_package_manager_at_work_is_waited_for(self):
+        busy = DEBIAN | {"id": "echo 0", "sleep": 'echo "$*" >>"$LOG/slept.log"',
+                         "apt-get": 'case "$*" in *update) [ -f "$LOG/slept.log" ] || { echo "E: Could not get lock x"; exit 100; } ;; '
+                                    '*) for p; do echo "$p"; done >>"$LOG/installed" ;; esac'}
+        done = self.run_sh(machine=busy)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.log("slept.log"), "5\n")
+
+    def test_a_repository_out_of_reach_does_not_matter_if_another_has_what_is_needed(self):
+        machine = DEBIAN | {"id": "echo 0", "apt-get": 'case "$*" in *update) echo "E: no route to mirror.example"; exit 100 ;; '
+                                                       '*) for p; do echo "$p"; done >>"$LOG/installed" ;; esac'}
+        done = self.run_sh(machine=machine)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_without_root_and_sudo_the_missing_packages_are_named(self):
         self.refused(self.run_sh(machine=DEBIAN | RIGHTLESS), "needs root, or sudo", "libembree-dev")
 
@@ -148,11 +162,36 @@ class FirstCommand(unittest.TestCase):
         self.tree = moved
         done = self.run_sh(machine=machine)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(self.log("cmake.log").count("--preset"), 2)
-        self.assertEqual(self.log("cmake.log").count("--fresh"), 1)
+        configured = [line for line in self.log("cmake.log").splitlines() if "--preset" in line]
+        self.assertEqual(len(configured), 2)
+        self.assertIn("--fresh", configured[1])
+
+    def test_a_configuration_that_never_ended_is_begun_anew(self):
+        self.everything_installed()
+        (self.tree / "build/release").mkdir(parents=True)
+        (self.tree / "build/release/CMakeCache.txt").write_text(
+            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.tree}\nPOL_TESTS:BOOL=ON\n")
+        done = self.run_sh(machine=DEBIAN | RIGHTLESS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("--fresh", self.log("cmake.log"))
+
+    def test_what_cmake_misses_is_named_however_it_says_so(self):
+        before = "-- No package 'imgui' found\n-- Checking for module 'cairo'\n--   Package 'cairo', required by 'virtual:world', not found\n"
+        for said, named in (
+                ("CMake Error at CMakeLists.txt:1 (find_package):\n  asked CMake to find a package configuration file provided by \"fmt\", but",
+                 "no package fmt"),
+                ('CMake Error at CMakeLists.txt:1 (find_package):\n  By not providing "Findfmt.cmake" in', "no package fmt"),
+                ("CMake Error at FindPkgConfig.cmake:607 (message):\n  A required package was not found", "Package 'cairo'"),
+                ("CMake Error at CMakeLists.txt:1 (find_path):\n  Could not find TINYGLTF_FOLDER using the following files: x", "TINYGLTF_FOLDER"),
+                ('CMake Error: CMake was unable to find a build program corresponding to "Ninja".', '"Ninja"'),
+                ("CMake Error at CMakeLists.txt:2 (project):\n  No CMAKE_CXX_COMPILER could be found.", "CMAKE_CXX_COMPILER"),
+                ("CMake Error at CMakeLists.txt:46 (message):\n  Embree 2.1 in /x: 3.13 or 4 is needed; choose", "Embree 2.1")):
+            with self.subTest(named):
+                (self.folder / "said").write_text((before + said + "\nSee also \"x\".\n"))
+                self.refused(self.run_sh(machine={"cmake": 'cat "$LOG/said"; exit 1'}, system="ID=fedora"), named, "dnf install")
 
     def test_other_systems_are_told_what_to_install_under_which_names(self):
-        failing = {"cmake": "echo 'Could NOT find embree (missing: x)'; exit 1"}
+        failing = {"cmake": "echo 'CMake Error: Could NOT find embree (missing: x)'; exit 1"}
         readme = (REPOSITORY / "README.md").read_text()
         for system, release, installer in (("fedora", "ID=fedora", "sudo dnf install"),
                                            ("fedora", 'ID=rocky\nID_LIKE="rhel centos fedora"', "sudo dnf install"),

@@ -23,6 +23,12 @@ def missing_tools():
     return [name for name in NEEDED if shutil.which(name) is None]
 
 
+def without_a_display():
+    """The environment as if nobody sat at this machine."""
+    return {name: value for name, value in os.environ.items()
+            if name not in ("DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "XDG_SESSION_TYPE")}
+
+
 class Display:
     """A virtual screen of its own; the number is free, whoever else runs here."""
 
@@ -36,7 +42,7 @@ class Display:
             number = answer.readline().strip()
         if not number:
             raise RuntimeError("Xvfb did not start")
-        self.environment = os.environ | {"DISPLAY": f":{number}"}
+        self.environment = without_a_display() | {"DISPLAY": f":{number}"}
 
     def close(self):
         self.server.terminate()
