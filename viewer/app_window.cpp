@@ -220,8 +220,7 @@ void AppWindow::end_frame(const std::function<void(RgbPicture)>& take) {
 }
 
 void AppWindow::tell_key(int key, int scancode, int action, int modifiers) {
-    constexpr bool looks_once_a_frame = IMGUI_VERSION_NUM < 18700;
-    if (action == GLFW_PRESS) pressed_ = looks_once_a_frame;
+    if (action == GLFW_PRESS) pressed_ = true;
     if (action == GLFW_RELEASE && pressed_)
         released_.push_back({key, scancode, modifiers});
     else

@@ -70,8 +70,8 @@ public:
 
     /// Called by GLFW's callbacks.
     void note_input() { input_ = true; }
-    /// Tells ImGui of a key. Before 1.87 it looks only once a frame: releases wait until it has seen what was pressed
-    /// before them, or short presses, and Ctrl with them, would be lost.
+    /// Tells ImGui of a key. It looks only once a frame: releases wait until it has seen what was pressed before them,
+    /// or short presses, and Ctrl with them, would be lost.
     void tell_key(int key, int scancode, int action, int modifiers);
     Session& session() { return *session_; }
 
