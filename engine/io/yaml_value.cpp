@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+// Long because every kind of value has its own complaint, and all of them share how places and words are shown.
 #include "io/yaml_value.h"
 
 #include <yaml-cpp/anchor.h>
 #include <yaml-cpp/eventhandler.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -18,8 +19,18 @@
 namespace pol {
 namespace {
 
+/// Characters that look like a space or like nothing, and that YAML takes for letters.
+constexpr std::pair<std::string_view, std::string_view> unseen[] = {
+    {"\u00a0", "U+00A0"}, {"\u00ad", "U+00AD"}, {"\u2007", "U+2007"}, {"\u2009", "U+2009"},
+    {"\u200b", "U+200B"}, {"\u202f", "U+202F"}, {"\u3000", "U+3000"}, {"\ufeff", "U+FEFF"}};
+
 std::string shortened(const std::string& text) {
-    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+    std::string result = text.size() <= 40 ? text : text.substr(0, 37) + "...";
+    for (const auto& [bytes, name] : unseen) {
+        for (std::size_t at = result.find(bytes); at != std::string::npos; at = result.find(bytes))
+            result.replace(at, bytes.size(), "<" + std::string(name) + ">");
+    }
+    return result;
 }
 
 std::string quoted(const std::string& text) {
@@ -106,41 +117,68 @@ const std::string& YamlValue::plain(const char* expected) const {
 
 YamlMap YamlValue::map(std::initializer_list<std::string_view> known) const {
     YamlMap result(*this);
-    for (auto& [key, value] : entries()) {
+    for (const Pair& pair : pairs()) {
         bool is_known = false;
-        for (const std::string_view word : known) is_known = is_known || word == key;
+        for (const std::string_view word : known) is_known = is_known || word == pair.key;
         if (!is_known) {
             // The key, not its value: an unknown word is best pointed at itself.
-            for (const auto& pair : node_) {
-                if (pair.first.IsScalar() && pair.first.Scalar() == key) {
-                    complain(place_of(pair.first.Mark(), *file_), child_path(path_, key),
-                             "unknown key '" + shortened(key) + "'", did_you_mean(key, words(known)));
-                }
-            }
+            complain(pair.place, child_path(path_, pair.key), "unknown key '" + shortened(pair.key) + "'",
+                     did_you_mean(pair.key, words(known)));
         }
-        result.values_.emplace(key, value);
+        result.values_.emplace(pair.key, YamlValue(pair.value, *file_, child_path(path_, pair.key)));
     }
     return result;
 }
 
 std::vector<std::pair<std::string, YamlValue>> YamlValue::entries() const {
-    if (!node_.IsMap()) fail("found " + kind() + ", expected a map", "write 'key: value' lines or {key: value}");
     std::vector<std::pair<std::string, YamlValue>> result;
+    for (const Pair& pair : pairs())
+        result.emplace_back(pair.key, YamlValue(pair.value, *file_, child_path(path_, pair.key)));
+    return result;
+}
+
+std::vector<YamlValue::Pair> YamlValue::pairs() const {
+    if (!node_.IsMap()) fail("found " + kind() + ", expected a map", "write 'key: value' lines or {key: value}");
+    std::vector<Pair> result;
+    std::set<std::string> taken;
+    int merged = 0;
+    add_pairs(node_, taken, merged, result);
+    return result;
+}
+
+void YamlValue::add_pairs(const YAML::Node& map, std::set<std::string>& taken, int& merged,
+                          std::vector<Pair>& result) const {
+    const char* const merge_key = "<<";
     std::map<std::string, Place> seen;
-    for (const auto& pair : node_) {
+    std::vector<YAML::Node> sources;
+    for (const auto& pair : map) {
         const Place place = place_of(pair.first.Mark(), *file_);
         if (!pair.first.IsScalar())
             complain(place, path_, "a key must be a word", "remove the brackets around the key");
         const std::string key = pair.first.Scalar();
-        const std::string path = child_path(path_, key);
         const auto [first, is_new] = seen.emplace(key, place);
         if (!is_new) {
-            complain(place, path, "the key " + quoted(key) + " occurs twice",
-                     "the first one is in line " + std::to_string(first->second.line));
+            complain(place, child_path(path_, key), "the key " + quoted(key) + " occurs twice",
+                     key == merge_key ? "write one list: <<: [*a, *b]"
+                                      : "the first one is in line " + std::to_string(first->second.line));
         }
-        result.emplace_back(key, YamlValue(pair.second, *file_, path));
+        if (key != merge_key || pair.first.Tag() == "!") {
+            if (taken.insert(key).second) result.push_back({key, place, pair.second});
+        } else if (pair.second.IsSequence()) {
+            for (const YAML::Node& source : pair.second) sources.push_back(source);
+        } else {
+            sources.push_back(pair.second);
+        }
     }
-    return result;
+    // yaml.org/type/merge.html: a key of the map itself wins, then the first of the merged maps that has it.
+    for (const YAML::Node& source : sources) {
+        const Place place = seen.at(merge_key);
+        const std::string path = child_path(path_, merge_key);
+        if (!source.IsMap()) complain(place, path, "only maps can be merged", "write <<: *name or <<: [*a, *b]");
+        // Also ends where a map merges itself.
+        if (++merged > 100) complain(place, path, "more than 100 maps are merged", "write the keys out");
+        add_pairs(source, taken, merged, result);
+    }
 }
 
 std::pair<std::string, YamlValue> YamlValue::tagged(std::initializer_list<std::string_view> known) const {
@@ -297,6 +335,37 @@ private:
     }
 };
 
+/// Line `number`, from 1, of `text`; empty beyond its end.
+std::string_view line_of(std::string_view text, int number) {
+    for (; number > 1; --number) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    return text.substr(0, text.find('\n'));
+}
+
+/// What the parser stumbled over, in words. The two causes that cannot be seen in an editor are looked for.
+[[noreturn]] void complain_about_text(const YAML::Exception& error, std::string_view text, const YamlFile& file) {
+    Place place = place_of(error.mark, file);
+    const std::string_view line = line_of(text, place.line);
+    const std::size_t tab = line.find('\t');
+    if (tab < line.find_first_not_of(" \t-")) {
+        place.column = static_cast<int>(tab) + 1;
+        complain(place, "", "not valid YAML: this line is indented with a tab; YAML allows only spaces",
+                 "replace the tab by spaces");
+    }
+    std::string hint = "look at brackets, quotes and indentation in this line and the one before";
+    for (const auto& [bytes, name] : unseen) {
+        for (int number = std::max(place.line - 1, 1); number <= place.line; ++number) {
+            if (line_of(text, number).find(bytes) != std::string_view::npos)
+                hint = "line " + std::to_string(number) + " holds the character " + std::string(name) +
+                       ", which looks like a space but is none";
+        }
+    }
+    complain(place, "", "not valid YAML: " + error.msg, hint);
+}
+
 /// Where a second document begins in `text`, if there is one. YAML::LoadAll would do, but never ends where a document
 /// begins with a character that begins nothing (a comma): such a document is found again and again.
 std::optional<YAML::Mark> second_document(const std::string& text) {
@@ -317,8 +386,7 @@ YamlValue yaml_document(const std::string& text, const YamlFile& file) {
         document = YAML::Load(text);
         second = second_document(text);
     } catch (const YAML::Exception& error) {
-        complain(place_of(error.mark, file), "", "not valid YAML: " + error.msg,
-                 "look at brackets, quotes and indentation in this line and the one before");
+        complain_about_text(error, text, file);
     }
     if (document.IsNull()) {
         complain({file.name, 1, 1}, "", "the file is empty", "assets/scenes/README.md shows what belongs in it");

@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,7 +55,8 @@ public:
     [[nodiscard]] bool looks_like_number() const;
 
     // Each of these throws YamlComplaint if the value is something else.
-    /// A map of which only `known` keys may occur, each once.
+    /// A map of which only `known` keys may occur, each once. Here and in entries(), merge keys (<<) are followed: keys
+    /// of the map itself win, then those of the first merged map.
     [[nodiscard]] YamlMap map(std::initializer_list<std::string_view> known) const;
     /// A map whose keys are names the user chose, each once, in the order of the file.
     [[nodiscard]] std::vector<std::pair<std::string, YamlValue>> entries() const;
@@ -77,6 +79,13 @@ public:
 
 private:
     friend class YamlMap;
+    struct Pair {
+        std::string key;
+        Place place;  ///< of the key
+        YAML::Node value;
+    };
+    [[nodiscard]] std::vector<Pair> pairs() const;
+    void add_pairs(const YAML::Node& map, std::set<std::string>& taken, int& merged, std::vector<Pair>& result) const;
     [[nodiscard]] const std::string& plain(const char* expected) const;
     [[nodiscard]] std::string kind() const;
     [[nodiscard]] std::vector<double> numbers(std::size_t count) const;

@@ -153,6 +153,47 @@ TEST(SceneFile, AnglesAreDegreesOutsideAndRadiansInside) {
     EXPECT_EQ(std::get<Retarder>(sheet).retardance, radians(89.0));
 }
 
+TEST(SceneFile, AMergeKeyAddsTheKeysThatTheMapLacks) {
+    const Scene scene = parsed(camera +
+                               "media: {glass: 1.5}\nobjects:\n"
+                               "  - &ball {name: ball, shape: {sphere: {radius: 1}}, medium: glass, priority: 1}\n"
+                               "  - {name: other, <<: *ball, transform: [{translate: [3, 0, 0]}]}\n"
+                               "  - <<: *ball\n    name: third\n    priority: 3\n");
+    ASSERT_EQ(scene.objects.size(), 3U);
+    EXPECT_EQ(scene.objects[1].name, "other");
+    EXPECT_EQ(std::get<SphereShape>(scene.objects[1].shape).radius, 1.0);
+    EXPECT_EQ(scene.objects[1].to_world[3][0], 3.0);
+    EXPECT_EQ(scene.objects[1].priority, 1);
+    EXPECT_EQ(scene.objects[2].name, "third");
+    EXPECT_EQ(scene.objects[2].priority, 3);
+}
+
+TEST(SceneFile, OfSeveralMergedMapsTheFirstThatHasTheKeyWins) {
+    const Scene scene = parsed(camera +
+                               "objects: []\nrender:\n"
+                               "  <<: [{spp: 4, seed: 1}, {spp: 9, seed: 2, depth: 3, <<: {depth: 4, size: [5, 6]}}]\n"
+                               "  seed: 7\n");
+    EXPECT_EQ(scene.render.samples_per_pixel, 4);
+    EXPECT_EQ(scene.render.seed, 7U);
+    EXPECT_EQ(scene.render.depth, 3);
+    EXPECT_EQ(scene.render.width, 5);
+}
+
+TEST(SceneFile, MergedMediaAreNamedLikeAnyOther) {
+    const Scene scene = parsed(camera + "objects: []\nmedia: {glass: 1.5, <<: {glass: 1.6, water: 1.33}}\n");
+    ASSERT_EQ(scene.media.size(), 2U);
+    EXPECT_EQ(scene.media[0].name, "glass");
+    EXPECT_EQ(std::get<ConstantIndex>(std::get<IsotropicMedium>(scene.media[0].matter).index).value.n, 1.5);
+    EXPECT_EQ(scene.media[1].name, "water");
+}
+
+TEST(SceneFile, AByteOrderMarkAndCarriageReturnsSayNothing) {
+    const std::string plain = camera + "title: a\nobjects:\n  - {name: b, shape: {disk: {radius: 1}}, absorber: on}\n";
+    std::string marked = "\xef\xbb\xbf";
+    for (const char c : plain) marked += c == '\n' ? "\r\n" : std::string(1, c);
+    EXPECT_EQ(save_scene(parsed(marked)), save_scene(parsed(plain)));
+}
+
 TEST(SceneFile, WavelengthRangesIncludeBothEnds) {
     const Scene scene = parsed(camera + "objects: []\nrender: {wavelengths: 380:780:20}\n");
     ASSERT_EQ(scene.render.wavelengths_nm.size(), 21U);
