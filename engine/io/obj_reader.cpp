@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ, the part that says where surfaces are: v and f. Own reader, since tinyobjloader 2.0 turns a number
 // that it cannot read into 0 without a word.
+#include <algorithm>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "io/polygon_soup.h"
@@ -9,16 +11,36 @@
 namespace pol {
 namespace {
 
-// Lines that say nothing about the shape.
-bool is_decoration(std::string_view keyword) {
-    for (const char* known : {"vn", "vt", "vp", "g", "o", "s", "usemtl", "mtllib", "l", "p", "usemap", "maplib"}) {
-        if (keyword == known) return true;
-    }
-    return keyword.empty() || keyword.front() == '#';
+// Keywords of the format ("Object Files", Wavefront, 1995) that say nothing about polygons: names, normals, textures,
+// display, points, lines, and the bodies of free-form curves.
+constexpr std::string_view decorations[] = {
+    "vn",     "vt",     "vp",     "g",      "s",        "mg",        "o",          "p",      "l",
+    "mtllib", "usemtl", "maplib", "usemap", "bevel",    "c_interp",  "lod",        "ctech",  "stech",
+    "parm",   "trim",   "hole",   "scrv",   "d_interp", "trace_obj", "shadow_obj", "cstype", "deg",
+    "bmat",   "step",   "curv",   "sp",     "end",      "con",       "curv2",      "cdc",    "res"};
+
+// Keywords that bring surfaces of another kind, or from elsewhere: without them the shape is another one.
+constexpr std::string_view other_surfaces[] = {"surf", "bsp", "bzp", "cdp", "call", "csh"};
+
+bool is_one_of(std::span<const std::string_view> keywords, std::string_view word) {
+    return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
-std::string quoted(std::string_view word) {
-    return "'" + std::string(word.substr(0, 40)) + "'";
+// The next line without its comment, and joined to the one after it where it ends in a backslash. A backslash that
+// ends a comment (a path, say) joins nothing: the line after it would be lost.
+void take_statement(TextCursor& cursor, std::string& statement) {
+    statement.clear();
+    while (!cursor.at_end()) {
+        std::string_view line = cursor.take_line();
+        line = line.substr(0, line.find('#'));
+        const std::size_t last = line.find_last_not_of(" \t");
+        if (last == std::string_view::npos || line[last] != '\\') {
+            statement += line;
+            return;
+        }
+        statement += line.substr(0, last);
+        statement += ' ';
+    }
 }
 
 }  // namespace
@@ -26,9 +48,11 @@ std::string quoted(std::string_view word) {
 Result<PolygonSoup> read_obj(std::string_view bytes) {
     PolygonSoup soup;
     TextCursor cursor(bytes);
+    std::string statement;
     while (!cursor.at_end()) {
         const int number = cursor.line();
-        std::string_view line = cursor.take_line();
+        take_statement(cursor, statement);
+        std::string_view line = statement;
         const std::string_view keyword = take_word_of(line);
         if (keyword == "v") {
             DVec3 p(0.0);
@@ -39,7 +63,7 @@ Result<PolygonSoup> read_obj(std::string_view bytes) {
                 p[axis] = *x;
             }
             soup.vertices.push_back(p);
-        } else if (keyword == "f") {
+        } else if (keyword == "f" || keyword == "fo") {  // fo: how version 2 wrote a face
             const auto defined = static_cast<std::int64_t>(soup.vertices.size());
             std::size_t corners = 0;
             for (std::string_view word = take_word_of(line); !word.empty(); word = take_word_of(line), ++corners) {
@@ -57,7 +81,10 @@ Result<PolygonSoup> read_obj(std::string_view bytes) {
             if (soup.corners.size() > 3 * most_triangles) {
                 return mesh_error("more than 10 million triangles", number, "simplify the model");
             }
-        } else if (!is_decoration(keyword)) {
+        } else if (is_one_of(other_surfaces, keyword)) {
+            return mesh_error(quoted(keyword) + " is not read: only polygons in the file itself are", number,
+                              "convert the model to one mesh of polygons");
+        } else if (!keyword.empty() && !is_one_of(decorations, keyword)) {
             return mesh_error(quoted(keyword) + " is not an OBJ keyword", number,
                               "is this a Wavefront OBJ file of polygons?");
         }

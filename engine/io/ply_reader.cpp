@@ -66,7 +66,11 @@ struct Header {
 Result<Header> read_header(std::string_view bytes) {
     Header header;
     TextCursor cursor(bytes);
-    if (cursor.take_line() != "ply") return mesh_error("this is not a PLY file", 1, "its first line must be: ply");
+    std::string_view magic = cursor.take_line();
+    if (take_word_of(magic) != "ply" || !take_word_of(magic).empty())
+        return mesh_error("this is not a PLY file", 1, "its first line must be: ply");
+    // Where lines end in \r alone, a \n after the header is data.
+    const bool lone_return = bytes[cursor.position() - 1] == '\r';
     bool has_format = false;
     while (!cursor.at_end()) {
         const int number = cursor.line();
@@ -75,6 +79,7 @@ Result<Header> read_header(std::string_view bytes) {
         if (keyword == "end_header") {
             if (!has_format) return mesh_error("the header names no format", number, "for example: format ascii 1.0");
             header.end = cursor.position();
+            if (lone_return && bytes[header.end - 1] == '\n') --header.end;
             header.line = cursor.line();
             return header;
         }
@@ -126,18 +131,23 @@ Result<Header> read_header(std::string_view bytes) {
     return mesh_error("the header does not end", cursor.line(), "it must end with: end_header");
 }
 
-// Numbers of the body, one after the other, text or binary; nothing at the end or where there is no number.
+// Numbers of the body, one after the other, text or binary.
 class Body {
 public:
     Body(std::string_view bytes, const Header& header)
         : bytes_(bytes), format_(header.format), at_(header.end), text_(bytes, header.end, header.line) {}
 
+    // Steps over a number, of which a text file need only hold a word: -nan(ind) and 1.#QNAN are no numbers of ours.
+    bool skip(Scalar type) {
+        if (format_ == Format::ascii) return !text_.take_word().empty();
+        if (bytes_.size() - at_ < size_of(type)) return false;
+        at_ += size_of(type);
+        return true;
+    }
+
+    // Nothing at the end or where there is no number.
     std::optional<double> take(Scalar type) {
-        if (format_ == Format::ascii) {
-            const auto word = text_.take_word();
-            const auto value = finite_number(word);
-            return value;
-        }
+        if (format_ == Format::ascii) return finite_number(text_.take_word());
         if (bytes_.size() - at_ < size_of(type)) return std::nullopt;
         const std::size_t here = std::exchange(at_, at_ + size_of(type));
         const std::endian order = format_ == Format::little ? std::endian::little : std::endian::big;
@@ -179,17 +189,22 @@ private:
 // One row of `element` into `soup`.
 std::optional<Error> read_row(Body& body, const Element& element, std::size_t row, PolygonSoup& soup) {
     const auto name = [&] { return element.name + " " + std::to_string(row); };
+    const auto ends_in = [&](const Property& property) {
+        return body.error(name() + ", " + property.name + ": the file ends here", "is it cut short?");
+    };
     const bool is_vertex = element.name == "vertex";
     DVec3 p(0.0);
     for (const Property& property : element.properties) {
         if (!property.length) {
+            const int axis = is_vertex && property.name.size() == 1 ? property.name[0] - 'x' : -1;
+            if (axis < 0 || axis > 2) {
+                if (!body.skip(property.type)) return ends_in(property);
+                continue;
+            }
             const auto value = body.take(property.type);
             if (!value)
                 return body.error(name() + ", " + property.name + ": not a finite number, or the file ends here",
                                   "is the file cut short?");
-            if (!is_vertex || property.name.size() != 1) continue;
-            const int axis = property.name[0] - 'x';
-            if (axis < 0 || axis > 2) continue;
             if (!std::isfinite(*value)) return body.error(name() + " is not finite", "export the model again");
             p[axis] = *value;
             continue;
@@ -202,9 +217,12 @@ std::optional<Error> read_row(Body& body, const Element& element, std::size_t ro
                               "faces have 3 corners or more");
         }
         for (double k = 0.0; k < *length; k += 1.0) {
+            if (!wanted) {
+                if (!body.skip(property.type)) return ends_in(property);
+                continue;
+            }
             const auto value = body.take(property.type);
-            if (!value) return body.error(name() + ", " + property.name + ": the file ends here", "is it cut short?");
-            if (!wanted) continue;
+            if (!value) return ends_in(property);
             if (!(*value >= 0.0) || *value > 4294967295.0 || *value != std::floor(*value)) {
                 return body.error(name() + ": a corner is not a vertex number", "vertices count from 0");
             }
@@ -238,6 +256,8 @@ Result<PolygonSoup> read_ply(std::string_view bytes) {
                 }
             }
         }
+        if (element.name == "tristrips" && element.count > 0)
+            return mesh_error("triangle strips (tristrips) are not read", 0, "export faces instead");
         if (element.properties.empty()) continue;
         for (std::size_t row = 0; row < element.count; ++row) {
             if (const auto problem = read_row(body, element, row, soup)) return *problem;

@@ -36,19 +36,24 @@ Error mesh_error_at_byte(const std::string& what, std::size_t offset, std::strin
 }
 
 std::string_view TextCursor::take_line() {
-    const std::size_t end = text_.find('\n', at_);
-    std::string_view line = text_.substr(at_, end == std::string_view::npos ? end : end - at_);
-    at_ = end == std::string_view::npos ? text_.size() : end + 1;
+    const std::size_t start = at_;
+    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
+    const std::string_view line = text_.substr(start, at_ - start);
+    if (!at_end()) at_ += text_.substr(at_, 2) == "\r\n" ? 2 : 1;
     ++line_;
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     return line;
 }
 
 std::string_view TextCursor::take_word() {
-    while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n';
+    for (; at_ < text_.size() && is_space(text_[at_]); ++at_)
+        line_ += text_[at_] == '\n' || (text_[at_] == '\r' && text_.substr(at_, 2) != "\r\n");
     const std::size_t start = at_;
     while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
     return text_.substr(start, at_ - start);
+}
+
+std::string quoted(std::string_view word) {
+    return "'" + std::string(word.substr(0, 40)) + "'";
 }
 
 std::string_view take_word_of(std::string_view& line) {

@@ -42,10 +42,16 @@ Error mesh_error(std::string what, int line, std::string hint);
 /// An error at a byte of a binary file.
 Error mesh_error_at_byte(const std::string& what, std::size_t offset, std::string hint);
 
-/// Reads words and numbers from text and counts lines; never beyond the end.
+/// `word` in quotes, cut to a length that a message can hold.
+std::string quoted(std::string_view word);
+
+/// Reads words and numbers from text and counts lines, which end in \n, \r\n or \r; never beyond the end. Steps over a
+/// byte order mark at the beginning.
 class TextCursor {
 public:
-    explicit TextCursor(std::string_view text, std::size_t at = 0, int line = 1) : text_(text), at_(at), line_(line) {}
+    explicit TextCursor(std::string_view text, std::size_t at = 0, int line = 1) : text_(text), at_(at), line_(line) {
+        if (at == 0 && text.starts_with("\ufeff")) at_ = 3;
+    }
 
     int line() const { return line_; }
     std::size_t position() const { return at_; }

@@ -2,6 +2,7 @@
 // STL, ascii and binary. The normals in the file are not read: the order of the corners says the same.
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "io/polygon_soup.h"
 
@@ -41,23 +42,37 @@ Result<PolygonSoup> read_binary(std::string_view bytes, std::size_t count) {
     return soup;
 }
 
+std::string lower_case(std::string_view word) {
+    std::string result(word);
+    for (char& c : result) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    return result;
+}
+
+// Words, not lines: some programs write a whole facet in one line. Keywords in capitals are in circulation.
 Result<PolygonSoup> read_ascii(std::string_view bytes) {
     const char* const hint = "inside a solid: facet normal ... outer loop, three times vertex x y z, endloop, endfacet";
     PolygonSoup soup;
     TextCursor cursor(bytes);
     int corners = 0;
-    bool ended = false;
-    while (!cursor.at_end()) {
+    bool in_solid = false;
+    bool in_normal = false;
+    for (std::string_view word = cursor.take_word(); !word.empty(); word = cursor.take_word()) {
         const int number = cursor.line();
-        std::string_view line = cursor.take_line();
-        const std::string_view keyword = take_word_of(line);
-        if (keyword == "vertex") {
+        const std::string keyword = lower_case(word);
+        const bool was_in_normal = std::exchange(in_normal, false);
+        if (keyword == "solid") {
+            in_solid = true;
+            cursor.take_line();  // a name of any words
+        } else if (!in_solid) {
+            return mesh_error(quoted(word) + " stands outside a solid", number, "a text STL file begins with: solid");
+        } else if (keyword == "facet") {
+            in_normal = true;
+        } else if (keyword == "vertex") {
             DVec3 p(0.0);
             for (int axis = 0; axis < 3; ++axis) {
-                const std::string_view word = take_word_of(line);
-                const std::optional<double> x = finite_number(word);
-                if (!x)
-                    return mesh_error("'" + std::string(word.substr(0, 40)) + "' is not a finite number", number, hint);
+                const std::string_view given = cursor.take_word();
+                const std::optional<double> x = finite_number(given);
+                if (!x) return mesh_error(quoted(given) + " is not a finite number", number, hint);
                 p[axis] = *x;
             }
             soup.vertices.push_back(p);
@@ -71,20 +86,21 @@ Result<PolygonSoup> read_ascii(std::string_view bytes) {
                 return mesh_error("more than 10 million triangles", number, "simplify the model");
             }
         } else if (keyword == "endsolid") {
-            ended = true;
-        } else if (!keyword.empty() && keyword != "solid" && keyword != "facet" && keyword != "outer" &&
-                   keyword != "endfacet") {
-            return mesh_error("'" + std::string(keyword.substr(0, 40)) + "' is not an STL keyword", number, hint);
+            in_solid = false;
+            cursor.take_line();
+        } else if (keyword != "outer" && keyword != "loop" && keyword != "endfacet") {
+            if (!was_in_normal) return mesh_error(quoted(word) + " is not an STL keyword", number, hint);
+            in_normal = true;
         }
     }
-    if (corners != 0 || !ended) return mesh_error("the file ends inside a solid", cursor.line(), "is it cut short?");
+    if (corners != 0 || in_solid) return mesh_error("the file ends inside a solid", cursor.line(), "is it cut short?");
     return soup;
 }
 
 }  // namespace
 
 Result<PolygonSoup> read_stl(std::string_view bytes) {
-    // Some binary files begin with "solid" too: only the size tells.
+    // Some binary files begin with "solid" too: only the size tells, and the zeros in the count of one that is cut.
     if (bytes.size() >= header_size) {
         const std::size_t count = number_at<std::uint32_t>(bytes, 80, std::endian::little);
         if (bytes.size() == header_size + record_size * count) {
@@ -94,7 +110,7 @@ Result<PolygonSoup> read_stl(std::string_view bytes) {
             return read_binary(bytes, count);
         }
     }
-    if (bytes.substr(0, 5) == "solid") return read_ascii(bytes);
+    if (bytes.substr(0, header_size).find('\0') == std::string_view::npos) return read_ascii(bytes);
     return mesh_error_at_byte("the number of triangles does not fit the size of the file", 80,
                               "a binary STL file has 84 + 50 x triangles bytes; is it cut short?");
 }

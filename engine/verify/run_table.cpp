@@ -171,7 +171,7 @@ Result<std::vector<RunRow>> parse_run_table(const std::string& text, const std::
                      "the file is not of this version: choose another folder, or remove it"};
     };
     std::vector<RunRow> rows;
-    std::size_t begin = 0;
+    std::size_t begin = text.starts_with("\ufeff") ? 3 : 0;  // a byte order mark, as spreadsheets write it
     for (int line = 1; begin < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view content(text.data() + begin, end - begin);

@@ -119,6 +119,9 @@ TEST(RunTable, ReadsBackToTheSameBitsAndNamesTheBadField) {
     EXPECT_EQ(read.value()[1].errors[2].p99, 1.0 / 3.0);
     EXPECT_TRUE(std::isnan(read.value()[1].depth_limit));
     EXPECT_EQ(run_table_csv(read.value()), csv);
+    const auto marked = parse_run_table("\ufeff" + csv, "runs.csv");
+    ASSERT_TRUE(marked);
+    EXPECT_EQ(run_table_csv(marked.value()), csv);
 
     std::string bad = csv;
     bad.replace(bad.rfind("0.1"), 3, "0,x");
