@@ -59,7 +59,7 @@ Shown shown(const Session& session) {
 
 bool is_tracing(const Session& session) {
     const Document* document = session.current();
-    return document != nullptr && document->has_scene() && !document->paused() && !document->progress().finished;
+    return document != nullptr && document->tracing();
 }
 
 class EventLoop {

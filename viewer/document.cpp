@@ -127,6 +127,7 @@ void Document::start() {
     paused_ = false;
     if (resting_) renderer_->pause();
     tiles_seen_.assign(static_cast<std::size_t>(renderer_->film().tile_count()), 0);
+    tiles_shown_.assign(tiles_seen_.size(), {});
     next_tile_ = 0;
     film_seen_ = 0;
     show(std::make_shared<StokesImage>(renderer_->snapshot()));
@@ -151,12 +152,12 @@ std::vector<TileRect> Document::take_changes() {
     return std::exchange(changes_, {});
 }
 
-void Document::update(double seconds) {
+bool Document::update(double seconds) {
     using Clock = std::chrono::steady_clock;
-    if (!renderer_ || lent_->load(std::memory_order_acquire) > 0) return;
+    if (!renderer_ || lent_->load(std::memory_order_acquire) > 0) return false;
     const Film& film = renderer_->film();
     const Version newest = film.version();
-    if (newest == film_seen_) return;
+    if (newest == film_seen_) return false;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     for (std::size_t looked_at = 0; looked_at < tiles_seen_.size(); ++looked_at) {
         const std::size_t index = next_tile_;
@@ -164,9 +165,20 @@ void Document::update(double seconds) {
         const auto tile = film.tile_if_newer(static_cast<int>(index), tiles_seen_[index]);
         if (!tile) continue;
         paste(*tile);
-        if (Clock::now() > end) return;
+        tiles_shown_[index] = tile->status;
+        if (Clock::now() > end) return true;
     }
     film_seen_ = newest;
+    return false;
+}
+
+void Document::catch_up() {
+    if (!renderer_) return;
+    if (lent_->load(std::memory_order_acquire) > 0 && renderer_->film().version() != film_seen_) {
+        picture_ = std::make_shared<StokesImage>(*picture_);
+        lent_ = std::make_shared<std::atomic<int>>(0);
+    }
+    update(std::numeric_limits<double>::infinity());
 }
 
 void Document::paste(const TileSnapshot& tile) {
@@ -216,7 +228,20 @@ std::shared_ptr<const StokesImage> Document::lend_picture() const {
 }
 
 RenderProgress Document::progress() const {
-    return renderer_ ? renderer_->progress() : RenderProgress{.done = 1.0, .finished = true};
+    if (!renderer_) return {.done = 1.0, .finished = true};
+    RenderProgress progress = renderer_->progress();
+    FilmStatusSum shown;
+    for (const TileStatus& tile : tiles_shown_) shown.add(tile);
+    progress.film = shown.status(picture_->pixel_count(), progress.film.error.random_samples);
+    progress.film.generation = progress.generation;
+    progress.done = progress.film.mean_samples / plan_->settings.samples_per_pixel;
+    // A finished film changes no more: its last version was seen, or something is missing here.
+    progress.finished = progress.finished && renderer_->film().version() == film_seen_;
+    return progress;
+}
+
+bool Document::tracing() const {
+    return renderer_ && !paused_ && !resting_ && !renderer_->progress().finished;
 }
 
 void Document::set_paused(bool paused) {

@@ -70,13 +70,19 @@ public:
     /// Parts that changed since the last call, for whoever keeps a copy (the textures).
     std::vector<TileRect> take_changes();
 
-    /// Fetches tiles that the workers have finished, for about `seconds`; each in its turn, so that none starves.
-    void update(double seconds);
+    /// Fetches tiles that the workers have finished, for about `seconds`; each in its turn, so that none starves. True
+    /// if that was too short: the picture still lacks something that could be fetched at once.
+    bool update(double seconds);
+    /// Fetches all of them, also while the picture is lent: the borrower keeps the old one.
+    void catch_up();
 
     /// The picture for another thread. While it is lent, update() leaves it as it is; edits do not wait.
     [[nodiscard]] std::shared_ptr<const StokesImage> lend_picture() const;
 
+    /// How far the picture is, not the film: what update() has not fetched yet does not count.
     [[nodiscard]] RenderProgress progress() const;
+    /// Workers are at it, or will be.
+    [[nodiscard]] bool tracing() const;
     [[nodiscard]] bool paused() const { return paused_; }
     void set_paused(bool paused);
     /// A document that is not on screen rests, whether or not the user has paused it.
@@ -143,9 +149,10 @@ private:
     std::uint64_t version_ = 0;
     std::uint64_t layout_ = 0;
     StopRules stop_rules_;
-    std::vector<Version> tiles_seen_;  // by tile of the film
-    std::size_t next_tile_ = 0;        // the round of update() goes on here
-    Version film_seen_ = 0;            // all tiles are at least of this version
+    std::vector<Version> tiles_seen_;      // by tile of the film
+    std::vector<TileStatus> tiles_shown_;  // the same: how good they are in the picture
+    std::size_t next_tile_ = 0;            // the round of update() goes on here
+    Version film_seen_ = 0;                // all tiles are at least of this version
     bool paused_ = false;
     bool resting_ = false;
     std::optional<ShownFact> fact_;

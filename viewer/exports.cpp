@@ -118,27 +118,41 @@ Result<Done> write_map(const StokesImage& picture, const ViewSettings& view, con
     return write_png(drawn.value(), path);
 }
 
-/// One line per pixel and wavelength; a measure that is not defined is left empty.
-Result<Done> write_region(const StokesImage& picture, const std::vector<bool>& marked, const Bench& bench,
+/// Which pixels are meant: those that are marked, else those of the region; empty: all.
+std::vector<bool> wanted_pixels(const Selection& selection, const StokesImage& picture) {
+    if (!selection.marked.empty() || !selection.region) return selection.marked;
+    std::vector<bool> wanted(picture.pixel_count());
+    const TileRect& region = *selection.region;
+    for (int y = region.y0; y < region.y1; ++y)
+        for (int x = region.x0; x < region.x1; ++x) wanted[picture.pixel(x, y)] = true;
+    return wanted;
+}
+
+/// One line per pixel and wavelength; what is not defined, or has no sample yet, is left empty.
+Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& wanted, const Bench& bench,
                           const fs::path& path, ExportProgress& progress) {
     auto file = OutputFile::create(path);
     if (!file) return file.error();
     std::string text = "x,y,wavelength_nm,S0,S1,S2,S3,dop,azimuth_deg,ellipticity_angle_deg,residual,tail,samples\n";
     const ShownPicture shown(picture, bench);
-    const auto optional_number = [](bool defined, double value) { return defined ? fmt::to_string(value) : ""; };
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const std::size_t pixel = picture.pixel(x, y);
-            if (!marked.empty() && !marked[pixel]) continue;
+            if (!wanted.empty() && !wanted[pixel]) continue;
+            const bool is_traced = picture.samples.empty() || picture.samples[pixel] > 0;
             for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w) {
                 const Stokes<double> s = shown.stokes(w, pixel);
                 const Measures<double> m = measure(s, noise_threshold(1000.0));
+                const auto number = [&](bool defined, double value) {
+                    return is_traced && defined ? fmt::to_string(value) : std::string();
+                };
                 fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", x, y,
-                               picture.wavelengths_nm[w], s.s0, s.s1, s.s2, s.s3, optional_number(m.has_light, m.dop),
-                               optional_number(m.has_azimuth, degrees(m.azimuth)),
-                               optional_number(m.has_polarization, degrees(m.ellipticity_angle)),
-                               picture.plane_value(picture.residual, w, pixel),
-                               picture.plane_value(picture.tail, w, pixel),
+                               picture.wavelengths_nm[w], number(true, s.s0), number(true, s.s1), number(true, s.s2),
+                               number(true, s.s3), number(m.has_light, m.dop),
+                               number(m.has_azimuth, degrees(m.azimuth)),
+                               number(m.has_polarization, degrees(m.ellipticity_angle)),
+                               is_traced ? picture.plane_value(picture.residual, w, pixel) : 1.0,
+                               is_traced ? picture.plane_value(picture.tail, w, pixel) : 0.0,
                                picture.samples.empty() ? "" : fmt::to_string(picture.samples[pixel]));
             }
         }
@@ -163,6 +177,7 @@ fs::path free_export_path(const Session& session, const std::string& stem, const
 void export_snapshot(Session& session) {
     const Document* document = session.current();
     if (document == nullptr) return;
+    session.catch_up();
     const fs::path path = free_export_path(session, stem_of(*document), ".exr");
     std::optional<Scene> scene;
     if (document->has_scene()) scene = document->scene();
@@ -183,15 +198,21 @@ void export_snapshot(Session& session) {
 void export_map(Session& session) {
     const Document* document = session.current();
     if (document == nullptr) return;
+    session.catch_up();
     const ViewSettings& view = session.view;
     const std::string quantity(info(view.quantity).name);
     const auto comparison = session.comparison();
     const fs::path path =
         free_export_path(session, stem_of(*document) + "-" + quantity + (comparison ? "-difference" : ""), ".png");
     MapOptions options{view.style, std::nullopt, view.exposure, view.scale, view.offset, view.gamma};
-    if (view.quantity != Quantity::color) options.range = map_look(session).range;
+    if (view.quantity != Quantity::color) {
+        session.finish_shown_map();
+        options.range = map_look(session).range;
+    }
     std::optional<LentReference> reference;
     std::string caption = document->name();
+    if (const double done = document->progress().done; done < 1.0)
+        caption += fmt::format(" at {:.0f} % of its samples", std::floor(100.0 * done));
     if (comparison) {
         reference = LentReference{comparison->reference->lend_picture(), comparison->wavelength};
         caption += " minus " + comparison->reference->name();
@@ -204,14 +225,15 @@ void export_map(Session& session) {
                           });
 }
 
-void export_region(Session& session) {
+void export_pixels(Session& session) {
     const Document* document = session.current();
     if (document == nullptr) return;
+    session.catch_up();
     const fs::path path = free_export_path(session, stem_of(*document), ".csv");
-    session.exports.start(
-        "CSV of the pixels", path,
-        [lent = document->lend_picture(), marked = session.selection.marked, bench = session.bench,
-         path](ExportProgress& progress) { return write_region(*lent, marked, bench, path, progress); });
+    session.exports.start("CSV of the pixels", path,
+                          [lent = document->lend_picture(),
+                           wanted = wanted_pixels(session.selection, document->picture()), bench = session.bench, path](
+                              ExportProgress& progress) { return write_pixels(*lent, wanted, bench, path, progress); });
 }
 
 void export_window(Session& session) {

@@ -13,11 +13,10 @@
 namespace pol {
 
 namespace {
-/// Time per frame for taking over finished tiles: the rest of a frame is for drawing.
-constexpr double update_s = 0.002;
-/// The same for evaluating the shown map, while the picture grows and when nothing else is to be done.
-constexpr double evaluate_growing_s = 0.002;
-constexpr double evaluate_finished_s = 0.010;
+/// Time per frame for taking over finished tiles, and again for evaluating the shown map: while workers trace, the rest
+/// of a frame is for drawing; afterwards nothing else is to be done.
+constexpr double tracing_s = 0.002;
+constexpr double finished_s = 0.010;
 }  // namespace
 
 bool Session::open(const std::filesystem::path& path) {
@@ -192,12 +191,14 @@ void Session::update() {
     const auto is_seen = [&](const Document* document) {
         return document == current() || (compared && document == reference_);
     };
-    bool grows = false;
+    bool tracing = false;
+    bool behind = false;
     for (const auto& document : documents_) {
         document->set_resting(!is_seen(document.get()));
         if (!is_seen(document.get())) continue;
-        document->update(update_s);
-        grows = grows || (!document->paused() && !document->progress().finished);
+        const bool traces = document->tracing();
+        behind = document->update(traces ? tracing_s : finished_s) || behind;
+        tracing = tracing || traces;
     }
     Document* document = current();
     fit_selection();
@@ -206,8 +207,16 @@ void Session::update() {
         shown_map.clear();
         return;
     }
-    shown_map.update(*document, view, bench, grows ? evaluate_growing_s : evaluate_finished_s, grows, compared);
-    if (!shown_map.complete() && !grows && wake_) wake_();
+    const bool grows = tracing || behind;
+    shown_map.update(*document, view, bench, tracing ? tracing_s : finished_s, grows, compared);
+    // What is left to do when the workers call no more.
+    if (!tracing && (behind || !shown_map.complete()) && wake_) wake_();
+}
+
+void Session::catch_up() {
+    const bool compared = comparison().has_value();
+    if (current() != nullptr) current()->catch_up();
+    if (compared) reference_->catch_up();
 }
 
 void Session::ask_for_explanation() {

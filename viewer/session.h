@@ -79,6 +79,8 @@ public:
 
     /// Once per frame, before drawing: takes over what workers, background jobs and other programs have finished.
     void update();
+    /// Takes over all that workers have finished of what is on screen: before it leaves the window.
+    void catch_up();
 
     /// Shows another map; a wavelength that the picture does not have is set to the nearest it has.
     void show(Quantity quantity) { view.quantity = quantity; }

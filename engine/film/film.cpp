@@ -2,12 +2,25 @@
 #include "film/film.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "core/contract.h"
 
 namespace pol {
+
+void FilmStatusSum::add(const TileStatus& tile) {
+    fewest_samples_ = std::min(fewest_samples_, tile.fewest_samples);
+    samples_ += tile.sample_count;
+    error_ += tile.error;
+}
+
+FilmStatus FilmStatusSum::status(std::size_t pixels, bool random_samples) const {
+    FilmStatus status;
+    status.fewest_samples = fewest_samples_;
+    status.mean_samples = samples_ / static_cast<double>(pixels);
+    status.error = picture_error(error_, random_samples);
+    return status;
+}
 
 Film::Film() : sums_(std::make_shared<FilmSums>()) {}
 
@@ -91,20 +104,14 @@ StokesImage Film::snapshot() const {
 FilmStatus Film::status() const {
     const std::scoped_lock lock(mutex_);
     FilmStatus status;
-    status.generation = sums_->generation;
-    if (sums_->tiles.empty()) return status;
-    ErrorSums error;
-    status.fewest_samples = std::numeric_limits<std::uint32_t>::max();
-    double samples = 0.0;
-    double pixels = 0.0;
-    for (const TileSums& tile : sums_->tiles) {
-        error += tile.error;
-        status.fewest_samples = std::min(status.fewest_samples, tile.fewest_samples);
-        samples += tile.sample_count;
-        pixels += static_cast<double>(tile.rect.pixel_count());
+    if (!sums_->tiles.empty()) {
+        FilmStatusSum sum;
+        for (const TileSums& tile : sums_->tiles) sum.add(tile.status);
+        const FilmLayout& layout = sums_->layout;
+        status = sum.status(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height),
+                            layout.random_samples);
     }
-    status.mean_samples = samples / pixels;
-    status.error = picture_error(error, sums_->layout.random_samples);
+    status.generation = sums_->generation;
     return status;
 }
 

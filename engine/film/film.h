@@ -2,7 +2,9 @@
 // The accumulator: per pixel and wavelength the summed Stokes vector, and what is known about its error.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,6 +22,19 @@ struct FilmStatus {
     std::uint32_t fewest_samples = 0;  ///< of a pixel
     double mean_samples = 0.0;         ///< per pixel
     PictureError error{};
+};
+
+/// The status of a film, or of a picture of it, tile by tile.
+class FilmStatusSum {
+public:
+    void add(const TileStatus& tile);
+    /// `pixels` of all tiles; `random_samples` as in FilmLayout. Requires: a tile was added.
+    [[nodiscard]] FilmStatus status(std::size_t pixels, bool random_samples) const;
+
+private:
+    std::uint32_t fewest_samples_ = std::numeric_limits<std::uint32_t>::max();
+    double samples_ = 0.0;
+    ErrorSums error_{};
 };
 
 /// Sums over samples in the camera frame.

@@ -107,9 +107,9 @@ void FilmSums::add(TileSums& tile, const TileBuffer& pass) const {
             }
         }
     }
-    tile.fewest_samples = *std::min_element(tile.samples.begin(), tile.samples.end());
-    tile.sample_count += static_cast<double>(pass.samples) * static_cast<double>(pass.rect.pixel_count());
-    tile.error = measure(tile);
+    tile.status.fewest_samples = *std::min_element(tile.samples.begin(), tile.samples.end());
+    tile.status.sample_count += static_cast<double>(pass.samples) * static_cast<double>(pass.rect.pixel_count());
+    tile.status.error = measure(tile);
 }
 
 ErrorSums FilmSums::measure(const TileSums& tile) const {
@@ -219,6 +219,7 @@ std::optional<TileSnapshot> FilmSums::look(const TileSums& tile, const TileRect&
     snapshot.rect = part;
     snapshot.image = empty_image(part.width(), part.height(), {});
     snapshot.preview = tile.samples.empty();
+    snapshot.status = tile.status;
     if (!snapshot.preview)
         copy(tile, part, snapshot.image, 0, 0);
     else if (has_preview(tile))

@@ -31,6 +31,13 @@ struct FilmLayout {
     std::string title{};
 };
 
+/// How good a tile is.
+struct TileStatus {
+    std::uint32_t fewest_samples = 0;  ///< of a pixel
+    double sample_count = 0.0;         ///< of all pixels
+    ErrorSums error{};
+};
+
 /// What a viewer gets of one tile.
 struct TileSnapshot {
     Generation generation = 0;
@@ -39,6 +46,7 @@ struct TileSnapshot {
     /// The tile has no samples yet; Stokes vectors, residual and tail are those of the preview, one for each block of
     /// pixels, and `image.samples` is 0.
     bool preview = false;
+    TileStatus status{};  ///< of the whole tile
 };
 
 /// Sums of one tile. Index: pixel in the tile * count + wavelength or group. Planes are empty until a pass has them.
@@ -53,9 +61,7 @@ struct TileSums {
     std::vector<double> tail;
     std::vector<std::uint32_t> samples;
     std::vector<std::uint32_t> failures;
-    std::uint32_t fewest_samples = 0;  ///< of a pixel
-    double sample_count = 0.0;         ///< of all pixels
-    ErrorSums error{};
+    TileStatus status{};
 };
 
 /// Plane sets that a picture may lack.

@@ -42,6 +42,48 @@ TEST(Document, FollowsTheRenderToTheSamePictureAsWithoutAWindow) {
     expect_same_picture(document->picture(), test::render(document->scene()));
 }
 
+// Under load the window takes tiles over later than they are finished.
+TEST(Document, IsFinishedWhenAllOfThePictureIsShown) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(64, 48));
+    const auto document = opened(folder / "plate.yaml");
+    while (document->tracing()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    // Nothing is shown of what is finished.
+    RenderProgress progress = document->progress();
+    EXPECT_FALSE(progress.finished);
+    EXPECT_EQ(progress.done, 0.0);
+    EXPECT_EQ(progress.film.mean_samples, 0.0);
+    // One of 4 x 3 tiles.
+    EXPECT_TRUE(document->update(0.0));
+    progress = document->progress();
+    EXPECT_FALSE(progress.finished);
+    EXPECT_DOUBLE_EQ(progress.done, 1.0 / 12.0);
+    EXPECT_DOUBLE_EQ(progress.film.mean_samples, 1.0 / 12.0);
+    while (document->update(0.0)) ASSERT_FALSE(document->progress().finished);
+    progress = document->progress();
+    EXPECT_TRUE(progress.finished);
+    EXPECT_EQ(progress.done, 1.0);
+    EXPECT_EQ(progress.film.fewest_samples, 1U);
+    expect_same_picture(document->picture(), test::render(document->scene()));
+}
+
+// The bound beside the progress is that of the picture, summed as the film sums it.
+TEST(Document, TheErrorsInTheStatusAreThoseOfTheWholeFilmOnceItIsShown) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(40, 30));
+    const auto document = opened(folder / "plate.yaml");
+    test::finish(*document);
+    Renderer renderer(1, 16);
+    renderer.start(document->plan());
+    ASSERT_TRUE(renderer.wait_for(60.0));
+    const FilmStatus film = renderer.progress().film;
+    const FilmStatus shown = document->progress().film;
+    EXPECT_GT(film.error.truncation, 0.0);
+    EXPECT_EQ(shown.error.truncation, film.error.truncation);
+    EXPECT_EQ(shown.error.residual_max, film.error.residual_max);
+    EXPECT_EQ(shown.mean_samples, film.mean_samples);
+}
+
 TEST(Document, EditsUndoAndRedoGoThroughTheSameScenes) {
     const TemporaryFolder folder;
     test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
@@ -202,7 +244,7 @@ TEST(Document, ALentPictureStaysAsItIsWhileTheRenderGoesOn) {
     const auto document = opened(folder / "plate.yaml");
     auto lent = document->lend_picture();
     const StokesImage copy = *lent;
-    while (!document->progress().finished) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (document->tracing()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     document->update(1.0);
     expect_same_picture(*lent, copy);
     Scene scene = document->scene();

@@ -8,6 +8,7 @@
 #include "io/exr_file.h"
 #include "io/input_file.h"
 #include "io/scene_hash.h"
+#include "support/render_scene.h"
 #include "viewer/exports.h"
 #include "viewer/viewer_files.h"
 
@@ -43,10 +44,10 @@ TEST_F(Exports, ASnapshotInMidRenderIsThePictureOnScreen) {
     };
     while (!is_begun()) session.update();
     document.set_paused(true);
+    export_snapshot(session);
     const StokesImage before = document.picture();
     ASSERT_GT(document.progress().done, 0.0);
     ASSERT_LT(document.progress().done, 1.0) << "the render was too fast for this test";
-    export_snapshot(session);
     wait_for_exports(session);
 
     const auto read = read_exr("plate.exr");
@@ -71,6 +72,82 @@ TEST_F(Exports, ASnapshotInMidRenderIsThePictureOnScreen) {
     document.set_paused(false);
     test::finish(document);
     EXPECT_EQ(document.picture().samples.back(), 1U);
+}
+
+// A window under load shows a part of the film for a while; a file is of all of it.
+TEST_F(Exports, TakeEverythingThatTheFilmHas) {
+    test::write_text("plate.yaml", test::plate_scene(64, 48));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    Document& document = *session.current();
+    while (document.tracing()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const auto screen = document.lend_picture();  // as another export that is still at work
+    ASSERT_EQ(screen->samples[0], 0U);
+    export_snapshot(session);
+    export_pixels(session);
+    session.show(Quantity::dop);
+    export_map(session);
+    EXPECT_EQ(screen->samples[0], 0U);
+    wait_for_exports(session);
+    const auto file = read_exr("plate.exr");
+    ASSERT_TRUE(file);
+    const StokesImage whole = test::render(document.scene());
+    EXPECT_EQ(file.value().samples, whole.samples);
+    for (std::size_t i = 0; i < whole.stokes.size(); ++i)
+        ASSERT_EQ(file.value().stokes[i].s0, static_cast<double>(static_cast<float>(whole.stokes[i].s0)));
+    // The last line of the table is that of the last pixel, with its sample.
+    const std::string table = text_of("plate.csv");
+    EXPECT_NE(table.find("\n63,47,600,"), std::string::npos);
+    EXPECT_TRUE(table.ends_with(",1\n"));
+    // The map is that of the whole picture, to the byte.
+    fs::rename("plate-dop.png", "first.png");
+    ASSERT_TRUE(document.progress().finished);
+    export_map(session);
+    wait_for_exports(session);
+    EXPECT_EQ(text_of("first.png"), text_of("plate-dop.png"));
+}
+
+TEST_F(Exports, ARegionIsWrittenAsThatRegion) {
+    test::write_text("plate.yaml", test::plate_scene(8, 4));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    test::finish(*session.current());
+    session.selection.region = TileRect{2, 1, 5, 3};
+    export_pixels(session);
+    session.selection.marked.assign(32, false);
+    session.selection.marked[31] = true;
+    export_pixels(session);
+    wait_for_exports(session);
+    std::istringstream lines(text_of("plate.csv"));
+    std::string line;
+    std::getline(lines, line);
+    for (const char* pixel : {"2,1,", "3,1,", "4,1,", "2,2,", "3,2,", "4,2,"}) {
+        for (const char* nm : {"500,", "600,"}) {
+            ASSERT_TRUE(std::getline(lines, line));
+            EXPECT_TRUE(line.starts_with(std::string(pixel) + nm)) << line;
+        }
+    }
+    EXPECT_FALSE(std::getline(lines, line));
+    // What is marked is chosen among all: it goes before the region.
+    EXPECT_NE(text_of("plate-2.csv").find("\n7,3,500,"), std::string::npos);
+}
+
+TEST_F(Exports, APixelWithoutASampleHasNoNumbers) {
+    StokesImage picture;
+    picture.width = 2;
+    picture.height = 1;
+    picture.wavelengths_nm = {580.0};
+    picture.stokes = {{1.0, 1.0, 0.0, 0.0}, {0.5, 0.0, 0.0, 0.0}};
+    picture.residual = {0.0, 0.25};
+    picture.samples = {4, 0};
+    ASSERT_TRUE(write_exr(picture, "half.exr"));
+    Session session;
+    ASSERT_TRUE(session.open("half.exr"));
+    export_pixels(session);
+    wait_for_exports(session);
+    const std::string table = text_of("half.csv");
+    EXPECT_NE(table.find("\n0,0,580,1,1,0,0,1,0,0,0,0,4\n"), std::string::npos) << table;
+    EXPECT_NE(table.find("\n1,0,580,,,,,,,,1,0,0\n"), std::string::npos) << table;
 }
 
 TEST_F(Exports, NamesAreNeverUsedTwice) {
@@ -109,7 +186,7 @@ TEST_F(Exports, TheMarkedPixelsAreListedAtAllWavelengthsBehindTheBench) {
     session.bench.elements.push_back({BenchElementKind::polarizer, true, 0.0, 0.0});
     session.selection.marked.assign(32, false);
     session.selection.marked[11] = session.selection.marked[20] = true;
-    export_region(session);
+    export_pixels(session);
     wait_for_exports(session);
     std::istringstream lines(text_of("plate.csv"));
     std::string line;

@@ -74,14 +74,14 @@ inline std::string plate_scene(int width, int height, const std::string& index =
            "    emission: {radiance: 1}\n";
 }
 
-/// Waits until the document's render has ended and its picture is complete.
+/// Waits until the document's render has ended and its picture is all of it.
 inline void finish(Document& document, double limit_s = 60.0) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(limit_s);
     while (!document.progress().finished) {
         if (std::chrono::steady_clock::now() > end) throw std::runtime_error("the render does not end");
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        document.update(10.0);
     }
-    document.update(10.0);
 }
 
 }  // namespace pol::test
