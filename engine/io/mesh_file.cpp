@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <exception>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "geometry/mesh_check.h"
+#include "geometry/polygon_cut.h"
 #include "io/input_file.h"
 #include "io/polygon_soup.h"
 
@@ -20,40 +20,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32U;
 
-// Smallest area of the fan from corner `apex`, counted negative where a triangle is turned over.
-double worst_area(const PolygonSoup& soup, std::span<const std::uint32_t> ring, std::size_t apex, const DVec3& normal) {
-    double worst = HUGE_VAL;
-    for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-        const DVec3& a = soup.vertices[ring[apex]];
-        const DVec3& b = soup.vertices[ring[(apex + k) % ring.size()]];
-        const DVec3& c = soup.vertices[ring[(apex + k + 1) % ring.size()]];
-        worst = std::min(worst, dot(normal, cross(b - a, c - a)));
-    }
-    return worst;
-}
-
-// The fan whose thinnest triangle is the largest: corners in the middle of a side then make no empty triangles.
-std::size_t best_apex(const PolygonSoup& soup, std::span<const std::uint32_t> ring) {
-    constexpr std::size_t most_tried = 64;
-    DVec3 normal(0.0);
-    for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-        normal +=
-            cross(soup.vertices[ring[k]] - soup.vertices[ring[0]], soup.vertices[ring[k + 1]] - soup.vertices[ring[0]]);
-    }
-    std::size_t best = 0;
-    double best_area = worst_area(soup, ring, 0, normal);
-    for (std::size_t apex = 1; apex < std::min(ring.size(), most_tried); ++apex) {
-        const double area = worst_area(soup, ring, apex, normal);
-        if (area > best_area) {
-            best = apex;
-            best_area = area;
-        }
-    }
-    return best;
-}
-
 Result<Mesh> meshed(PolygonSoup soup) {
     std::vector<Triangle> triangles;
+    std::vector<DVec3> corners;
     std::uint32_t start = 0;
     for (std::size_t polygon = 0; polygon < soup.last.size(); ++polygon) {
         const auto ring = std::span(soup.corners).subspan(start, soup.last[polygon] - start);
@@ -65,10 +34,15 @@ Result<Mesh> meshed(PolygonSoup soup) {
                                   std::to_string(soup.vertices.size()) + " (counted from 0)",
                               line, "is the file cut short?");
         }
-        const std::size_t apex = ring.size() == 3 ? 0 : best_apex(soup, ring);
-        for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-            triangles.push_back({ring[apex], ring[(apex + k) % ring.size()], ring[(apex + k + 1) % ring.size()]});
+        if (ring.size() == 3) {
+            triangles.push_back({ring[0], ring[1], ring[2]});
+            continue;
         }
+        corners.clear();
+        for (const std::uint32_t v : ring) corners.push_back(soup.vertices[v]);
+        const Result<std::vector<Triangle>> cut = cut_polygon(corners);
+        if (!cut) return mesh_error("face " + std::to_string(polygon) + " " + cut.error().what, line, cut.error().hint);
+        for (const auto& [a, b, c] : cut.value()) triangles.push_back({ring[a], ring[b], ring[c]});
     }
     return mesh_from_triangles(std::move(soup.vertices), std::move(triangles));
 }

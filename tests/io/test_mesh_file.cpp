@@ -376,6 +376,74 @@ TEST_F(MeshFile, NotANumberInBinaryFilesIsFoundWithItsPlace) {
     EXPECT_NE(complaint("a.ply", ply).find("vertex 3 is not finite"), std::string::npos);
 }
 
+// Unsigned areas of the triangles that look up: twice as much where triangles fold over each other's outline.
+double area_from_above(const Mesh& mesh) {
+    double area = 0.0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const DVec3 n = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+        if (n.z > 0.0) area += 0.5 * n.z;
+    }
+    return area;
+}
+
+// Prisms from z = 0 to 1 over a U (4.985, by the shoelace formula) and a plus sign of five unit squares.
+TEST_F(MeshFile, FacesThatAreNotConvexAreFilledToTheirOutline) {
+    const std::vector<DVec2> letter_u{{0, 0}, {3, 0}, {3, 2.1}, {2, 2}, {2.1, 1}, {0.9, 1.1}, {1, 2.2}, {0.1, 2}};
+    const std::vector<DVec2> plus{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
+                                  {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+    for (const auto& [outline, area] : {std::pair{letter_u, 4.985}, std::pair{plus, 5.0}}) {
+        const std::size_t n = outline.size();
+        std::string vertices;
+        for (const char* z : {"0", "1"}) {
+            for (const DVec2& p : outline)
+                vertices += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + z + "\n";
+        }
+        std::vector<std::vector<std::size_t>> faces(2);
+        for (std::size_t i = 0; i < n; ++i) {
+            faces[0].push_back(n - 1 - i);
+            faces[1].push_back(n + i);
+            faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+        }
+        std::string obj = vertices;
+        std::string ply = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(2 * n) +
+                          "\nproperty uchar v\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                          std::to_string(faces.size()) + "\nproperty list int int vertex_index\nend_header\n" +
+                          vertices;
+        for (const auto& face : faces) {
+            obj += "f";
+            ply += std::to_string(face.size());
+            for (const std::size_t v : face) {
+                obj += " " + std::to_string(v + 1);
+                ply += " " + std::to_string(v);
+            }
+            obj += "\n";
+            ply += "\n";
+        }
+        for (const auto& mesh : {load("a.obj", obj), load("a.ply", ply)}) {
+            ASSERT_TRUE(mesh) << to_string(mesh.error());
+            EXPECT_TRUE(check_closed(mesh.value()));
+            EXPECT_EQ(mesh.value().facets.size(), n + 2);
+            // A dozen sums of numbers below 10.
+            EXPECT_NEAR(area_from_above(mesh.value()), area, 1e-13);
+            EXPECT_NEAR(signed_volume(mesh.value()), area, 1e-13);
+        }
+    }
+}
+
+TEST_F(MeshFile, FacesThatHaveNoSingleInsideAreRefusedWithTheirLine) {
+    const std::string corners =
+        "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\nv 3 3 1\nf 1 2 3\n";
+    const auto expect = [&](const std::string& face, const std::string& what) {
+        const std::string text = complaint("a.obj", corners + face);
+        EXPECT_NE(text.find(":11: face 1 " + what), std::string::npos) << text;
+        EXPECT_NE(text.find("hint: cut it into simple faces or triangles"), std::string::npos) << text;
+    };
+    expect("f 1 3 2 4\n", "crosses itself near");
+    expect("f 1 2 3 4 1 5 6 7 8 5\n", "touches itself near (0, 0, 0), as the outline of a face with a hole does");
+    expect("f 1 2 9 4\n", "is not flat: its corners lie up to ");
+    expect("f 1 2 1 2\n", "has all its corners in one line");
+}
+
 TEST_F(MeshFile, PolygonsWithACornerInTheMiddleOfASideBecomeSoundTriangles) {
     // Unit square with a fifth corner on its lower side, between corners 0 and 1.
     const auto mesh = load("a.obj", "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4 5\n");
