@@ -158,6 +158,23 @@ BrilliantShape read_brilliant(const YamlValue& value) {
     return shape;
 }
 
+UprightShape read_mesh(const YamlValue& value, const AssetFolders& folders) {
+    const YamlMap map = value.map({"file", "up"});
+    const YamlValue file = map.at("file");
+    MeshShape shape{find_asset(file, folders, "scenes").string(), nullptr};
+    Result<Mesh> mesh = load_mesh(shape.path);
+    if (!mesh) fail_because_of(file, mesh.error());
+    shape.mesh = std::make_shared<const Mesh>(std::move(mesh).value());
+    UprightShape result{shape};
+    const auto up = map.find("up");
+    if (up && up->choice({"y", "z"}) == "y") {
+        // (x, y, z) -> (x, -z, y)
+        result.upright[1] = {0.0, 0.0, 1.0, 0.0};
+        result.upright[2] = {0.0, -1.0, 0.0, 0.0};
+    }
+    return result;
+}
+
 ExtrusionShape read_extrusion(const YamlValue& value) {
     const YamlMap map = value.map({"polygon", "height"});
     ExtrusionShape shape;
@@ -192,33 +209,27 @@ void fail_because_of(const YamlValue& value, Error error) {
     throw YamlComplaint{std::move(error)};
 }
 
-Shape read_shape(const YamlValue& value, const AssetFolders& folders) {
+UprightShape read_shape(const YamlValue& value, const AssetFolders& folders) {
     const auto [kind, content] =
         value.tagged({"brilliant", "box", "extrusion", "prism", "rhomb", "sphere", "rectangle", "disk", "mesh"});
-    if (kind == "brilliant") return read_brilliant(content);
-    if (kind == "box") return BoxShape{read_size<DVec3>(content.map({"size"}).at("size"))};
-    if (kind == "extrusion") return read_extrusion(content);
+    if (kind == "mesh") return read_mesh(content, folders);
+    if (kind == "brilliant") return {read_brilliant(content)};
+    if (kind == "box") return {BoxShape{read_size<DVec3>(content.map({"size"}).at("size"))}};
+    if (kind == "extrusion") return {read_extrusion(content)};
     if (kind == "prism") {
         const YamlMap map = content.map({"apex_angle", "side", "height"});
-        return PrismShape{map.at("apex_angle").angle(), map.at("side").number(), map.at("height").number()};
+        return {PrismShape{map.at("apex_angle").angle(), map.at("side").number(), map.at("height").number()}};
     }
     if (kind == "rhomb") {
         const YamlMap map = content.map({"angle", "aperture", "height"});
-        return RhombShape{map.at("angle").angle(), map.at("aperture").number(), map.at("height").number()};
+        return {RhombShape{map.at("angle").angle(), map.at("aperture").number(), map.at("height").number()}};
     }
-    if (kind == "sphere") return SphereShape{content.map({"radius"}).at("radius").number()};
-    if (kind == "rectangle") return RectangleShape{read_size<DVec2>(content.map({"size"}).at("size"))};
-    if (kind == "disk") return DiskShape{content.map({"radius"}).at("radius").number()};
-    const YamlValue file = content.map({"file"}).at("file");
-    MeshShape shape{find_asset(file, folders, "scenes").string(), nullptr};
-    Result<Mesh> mesh = load_mesh(shape.path);
-    if (!mesh) fail_because_of(file, mesh.error());
-    shape.mesh = std::make_shared<const Mesh>(std::move(mesh).value());
-    return shape;
+    if (kind == "sphere") return {SphereShape{content.map({"radius"}).at("radius").number()}};
+    if (kind == "rectangle") return {RectangleShape{read_size<DVec2>(content.map({"size"}).at("size"))}};
+    return {DiskShape{content.map({"radius"}).at("radius").number()}};
 }
 
-DMat4 read_transform(const YamlValue& value) {
-    DMat4 to_world(1.0);
+DMat4 read_transform(const YamlValue& value, DMat4 to_world) {
     for (const YamlValue& step : value.list()) {
         const auto [kind, content] = step.tagged({"translate", "rotate", "scale", "matrix"});
         DMat4 m(1.0);
@@ -246,8 +257,10 @@ Object read_object(const YamlValue& value, const AssetFolders& folders) {
     Object object;
     object.place = value.place();
     object.name = map.at("name").text();
-    object.shape = read_shape(map.at("shape"), folders);
-    if (const auto transform = map.find("transform")) object.to_world = read_transform(*transform);
+    UprightShape shape = read_shape(map.at("shape"), folders);
+    object.shape = std::move(shape.shape);
+    object.to_world = shape.upright;
+    if (const auto transform = map.find("transform")) object.to_world = read_transform(*transform, shape.upright);
     int roles = 0;
     for (const char* role : {"medium", "emission", "sheet", "absorber"}) roles += map.has(role) ? 1 : 0;
     if (roles != 1) {

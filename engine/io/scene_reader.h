@@ -26,8 +26,14 @@ std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& fol
 Spectrum read_spectrum(const YamlValue& value);
 RefractiveIndex read_index(const YamlValue& value, const AssetFolders& folders);
 Medium read_medium(const std::string& name, const YamlValue& value, const AssetFolders& folders);
-Shape read_shape(const YamlValue& value, const AssetFolders& folders);
-DMat4 read_transform(const YamlValue& value);
+/// A shape, and the step that comes before those of its object's transform: which axis of a mesh file is up.
+struct UprightShape {
+    Shape shape;
+    DMat4 upright{1.0};
+};
+UprightShape read_shape(const YamlValue& value, const AssetFolders& folders);
+/// The steps of `value` after `to_world`.
+DMat4 read_transform(const YamlValue& value, DMat4 to_world);
 Emission read_emission(const YamlValue& value, const AssetFolders& folders);
 Object read_object(const YamlValue& value, const AssetFolders& folders);
 

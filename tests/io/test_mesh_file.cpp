@@ -3,183 +3,32 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/random.h"
 #include "geometry/half_space_solid.h"
 #include "geometry/mesh_check.h"
-#include "geometry/shapes.h"
+#include "io/mesh_files.h"
 
 namespace pol {
 namespace {
 
-class MeshFile : public testing::Test {
-protected:
-    MeshFile() {
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("pol_mesh_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        std::filesystem::create_directories(folder_);
-    }
-    ~MeshFile() override { std::filesystem::remove_all(folder_); }
-
-    Result<Mesh> load(const std::string& name, const std::string& bytes) {
-        std::ofstream(folder_ / name, std::ios::binary) << bytes;
-        return load_mesh(folder_ / name);
-    }
-    std::string complaint(const std::string& name, const std::string& bytes) {
-        const auto mesh = load(name, bytes);
-        return mesh ? "" : to_string(mesh.error());
-    }
-
-    std::filesystem::path folder_;
-};
-
-template <class T>
-void append(std::string& bytes, T value) {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof(T));
-    bytes.append(raw, sizeof(T));
-}
-
-std::string reversed(std::string bytes) {
-    return {bytes.rbegin(), bytes.rend()};
-}
-
-void expect_box(const Result<Mesh>& mesh) {
-    ASSERT_TRUE(mesh) << to_string(mesh.error());
-    EXPECT_TRUE(check_closed(mesh.value()));
-    EXPECT_EQ(mesh.value().facets.size(), 6U);
-    EXPECT_EQ(mesh.value().vertices.size(), 8U);
-    // 1 x 2 x 3, coordinates exact in float.
-    EXPECT_NEAR(signed_volume(mesh.value()), 6.0, 1e-14);
-}
-
-const char* const box_obj = R"(# a box
-mtllib box.mtl
-o box
-v 0 0 0
-v 1 0 0
-v 1 2 0
-v 0 2 0
-v 0 0 3 1.0
-v 1 0 +3
-v 1 2 3e0
-v 0 2 3
-vn 0 0 1
-f 4 3 2 1
-f 5//1 6//1 7//1 8//1
-f 1/1 2/1 6/1 5/1
-f -7 -6 -2 -3
-f 3 4 8 7
-f 4 1 5 8
-)";
-
-std::string box_ply(const std::string& format) {
-    const int order[6][4] = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-    std::string bytes = "ply\nformat " + format +
-                        " 1.0\ncomment made here\nelement vertex 8\nproperty uchar red\nproperty float x\n"
-                        "property double y\nproperty float z\nelement face 6\nproperty list uchar int vertex_indices\n"
-                        "property short flag\nend_header\n";
-    const auto put = [&](auto value) {
-        if (format == "ascii") {
-            bytes += std::to_string(value) + " ";
-            return;
-        }
-        std::string raw;
-        append(raw, value);
-        bytes += format == "binary_big_endian" ? reversed(raw) : raw;
-    };
-    for (int v = 0; v < 8; ++v) {
-        put(std::uint8_t{200});
-        put(v % 4 == 1 || v % 4 == 2 ? 1.0F : 0.0F);
-        put(v % 4 >= 2 ? 2.0 : 0.0);
-        put(v >= 4 ? 3.0F : 0.0F);
-        if (format == "ascii") bytes += "\n";
-    }
-    for (const auto& face : order) {
-        put(std::uint8_t{4});
-        for (const int v : face) put(std::int32_t{v});
-        put(std::int16_t{-1});
-        if (format == "ascii") bytes += "\n";
-    }
-    return bytes;
-}
-
-std::string with_line_ends(const std::string& text, const char* end) {
-    std::string result;
-    for (const char c : text) result += c == '\n' ? end : std::string(1, c);
-    return result;
-}
-
-std::vector<DVec3> box_corners() {
-    std::vector<DVec3> corners;
-    const Mesh mesh = make_mesh(BoxShape{{1.0, 2.0, 3.0}}).value();
-    for (const auto& t : mesh.triangles) {
-        for (const std::uint32_t v : t) corners.push_back(mesh.vertices[v]);
-    }
-    return corners;
-}
-
-std::string box_stl_binary() {
-    std::string bytes(80, ' ');
-    bytes.replace(0, 5, "solid");  // as some programs really write
-    append(bytes, std::uint32_t{12});
-    const auto corners = box_corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (i % 3 == 0) bytes += std::string(12, '\0');
-        for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(corners[i][axis]));
-        if (i % 3 == 2) append(bytes, std::uint16_t{0});
-    }
-    return bytes;
-}
-
-std::string box_stl_ascii() {
-    std::string text = "solid box\n";
-    const auto corners = box_corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (i % 3 == 0) text += " facet normal 0 0 0\n  outer loop\n";
-        text += "   vertex " + std::to_string(corners[i].x) + " " + std::to_string(corners[i].y) + " " +
-                std::to_string(corners[i].z) + "\n";
-        if (i % 3 == 2) text += "  endloop\n endfacet\n";
-    }
-    return text + "endsolid box\n";
-}
-
-// A GLB of one box, under a parent that mirrors and a child that moves and scales.
-std::string box_glb(const std::string& indices_extra = "") {
-    std::string binary;
-    const auto corners = box_corners();
-    for (const DVec3& p : corners) {
-        for (int axis = 0; axis < 3; ++axis) append(binary, static_cast<float>(p[axis] / 2.0));
-    }
-    for (std::uint16_t i = 0; i < 36; ++i) append(binary, i);
-    std::string json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)"
-                       R"({"children":[1],"scale":[-1,1,1]},{"mesh":0,"scale":[2,2,2],"translation":[5,0,0]}],)"
-                       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
-                       R"("buffers":[{"byteLength":504}],"bufferViews":[{"buffer":0,"byteLength":432},)"
-                       R"({"buffer":0,"byteOffset":432,"byteLength":72}],)"
-                       R"("accessors":[{"bufferView":0,"componentType":5126,"count":36,"type":"VEC3"},)"
-                       R"({"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR")" +
-                       indices_extra + "}]}";
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string glb = "glTF";
-    append(glb, std::uint32_t{2});
-    append(glb, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + binary.size()));
-    append(glb, static_cast<std::uint32_t>(json.size()));
-    glb += "JSON" + json;
-    append(glb, static_cast<std::uint32_t>(binary.size()));
-    glb += std::string("BIN\0", 4) + binary;
-    return glb;
-}
+using test::area_from_above;
+using test::box_glb;
+using test::box_obj;
+using test::box_ply;
+using test::box_stl_ascii;
+using test::box_stl_binary;
+using test::expect_box;
+using test::glb;
+using test::MeshFile;
 
 TEST_F(MeshFile, OneBoxReadsTheSameFromEveryFormat) {
     expect_box(load("box.obj", box_obj));
@@ -189,129 +38,6 @@ TEST_F(MeshFile, OneBoxReadsTheSameFromEveryFormat) {
     expect_box(load("binary.stl", box_stl_binary()));
     expect_box(load("ascii.stl", box_stl_ascii()));
     expect_box(load("box.glb", box_glb()));
-}
-
-// A byte order mark says nothing, whatever line ends follow it.
-TEST_F(MeshFile, TextFilesOfAnySystemReadTheSame) {
-    const std::pair<const char*, std::string> files[] = {
-        {"a.obj", box_obj}, {"a.ply", box_ply("ascii")}, {"a.stl", box_stl_ascii()}};
-    for (const auto& [name, text] : files) {
-        for (const char* end : {"\n", "\r\n", "\r"}) {
-            SCOPED_TRACE(name + std::to_string(static_cast<int>(end[0])));
-            expect_box(load(name, with_line_ends(text, end)));
-            expect_box(load(name, "\xef\xbb\xbf" + with_line_ends(text, end)));
-        }
-    }
-}
-
-TEST_F(MeshFile, LinesAreCountedWhateverEndsThem) {
-    for (const char* end : {"\n", "\r\n", "\r"}) {
-        EXPECT_NE(complaint("a.obj", with_line_ends("v 0 0 0\n\nv 1 0 zero\n", end)).find(":3: 'zero'"),
-                  std::string::npos);
-        EXPECT_NE(
-            complaint("a.stl", with_line_ends("solid\n facet\n\n  loup\n endfacet\n outer lop", end)).find(":6: 'lop'"),
-            std::string::npos);
-    }
-}
-
-TEST_F(MeshFile, ObjKnowsTheFormatsOwnWordsCommentsAndContinuedLines) {
-    std::string text = box_obj;
-    text.replace(text.find("f 4 3 2 1"), 9, "f 4 3\\\n  2 \\ # two\n\\\n1#one");
-    text.replace(text.find("f 3 4 8 7"), 1, "fo");
-    expect_box(load("a.obj",
-                    "# made in C:\\models\\\n# tabs\nlod\t3\nbevel off\nc_interp off\nd_interp off\nmg 1 0.1\ns off\n"
-                    "shadow_obj x.obj\ntrace_obj x.obj\ncstype bezier\ng a b\nvp 0 0\nvt 0 0\n" +
-                        text + "l 1 2 3\np 1\nusemtl red#1\ncurv 0 1 1 2\nparm u 0 1\nend\n"));
-}
-
-TEST_F(MeshFile, ObjRefusesByNameWhatHoldsOtherSurfaces) {
-    for (const std::string word : {"surf", "bsp", "call", "cdp"}) {
-        EXPECT_NE(complaint("a.obj", box_obj + word + " 1 2\n").find(":19: '" + word + "' is not read: only polygons"),
-                  std::string::npos);
-    }
-}
-
-TEST_F(MeshFile, AVertexThatIsContinuedOnTheNextLineKeepsTheLineItBeginsOn) {
-    EXPECT_NE(complaint("a.obj", "v 0 \\\n 0 \\\n x\n").find(":1: 'x' is not a finite number"), std::string::npos);
-    EXPECT_NE(complaint("a.obj", "v 0 \\\n 0 0\nv 0 0 y\n").find(":3: 'y' is not a finite number"), std::string::npos);
-    EXPECT_NE(complaint("a.obj", "v 0 0 \\").find(":1: '' is not a finite number"), std::string::npos);
-}
-
-TEST_F(MeshFile, TextStlIsReadInCapitalsAfterBlanksAndInAnyLines) {
-    std::string capitals = box_stl_ascii();
-    for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    expect_box(load("a.stl", capitals));
-    expect_box(load("a.stl", " \t\n\r\n" + box_stl_ascii()));
-    expect_box(load("a.stl", "\xef\xbb\xbf \n" + capitals));
-    std::string one_line = box_stl_ascii();
-    const std::size_t name_end = one_line.find('\n');
-    std::replace(one_line.begin() + static_cast<std::ptrdiff_t>(name_end) + 1, one_line.end(), '\n', ' ');
-    expect_box(load("a.stl", one_line));
-    std::string no_normals = box_stl_ascii();
-    no_normals.replace(no_normals.find("0 0 0"), 5, "-nan(ind) 1.#QNAN vertices");
-    expect_box(load("a.stl", no_normals));
-}
-
-TEST_F(MeshFile, TextThatIsNoStlIsExplainedAsTextAndACutBinaryFileAsBinary) {
-    const auto expect = [&](const std::string& bytes, const std::string& what) {
-        const std::string text = complaint("a.stl", bytes);
-        EXPECT_NE(text.find(what), std::string::npos) << text;
-    };
-    expect("v 0 0 0\n" + std::string(200, 'x'), ":1: 'v' stands outside a solid");
-    expect("SOLID x\nFACIT\n", ":2: 'FACIT' is not an STL keyword");
-    expect("solid x\nendsolid\nfacet", ":3: 'facet' stands outside a solid");
-    expect(box_stl_ascii() + "solid second\n", "ends inside a solid");
-    expect(box_stl_binary().substr(0, 500), "at byte 80: the number of triangles does not fit");
-    expect(box_stl_binary().replace(0, 5, "SOLID").substr(0, 500), "at byte 80");
-}
-
-TEST_F(MeshFile, PropertiesThatNobodyUsesNeedNotBeNumbers) {
-    for (const std::string word : {"nan", "-nan", "NaN", "inf", "-inf", "-nan(ind)", "1.#QNAN", "-1.#IND", "1e999"}) {
-        SCOPED_TRACE(word);
-        std::string text = box_ply("ascii");
-        for (std::size_t at = text.find("200 "); at != std::string::npos; at = text.find("200 "))
-            text.replace(at, 3, word);
-        text.replace(text.find("end_header"), 0, "property list uchar float m\n");
-        for (std::size_t at = text.find(" -1 \n"); at != std::string::npos; at = text.find(" -1 \n"))
-            text.replace(at, 4, " " + word + " 2 1 " + word);
-        expect_box(load("a.ply", text));
-    }
-    std::string cut = box_ply("ascii");
-    cut.resize(cut.rfind("-1"));
-    EXPECT_NE(complaint("a.ply", cut).find("face 5, flag: the file ends here"), std::string::npos);
-    EXPECT_NE(complaint("a.ply", std::string(box_ply("ascii")).replace(box_ply("ascii").find("200 0.0"), 7, "200 nan"))
-                  .find("vertex 0, x: not a finite number"),
-              std::string::npos);
-}
-
-TEST_F(MeshFile, AHeaderWithCarriageReturnsLeavesALineFeedToTheData) {
-    // The first byte of the body is the color 10, a line feed.
-    for (const char* end : {"\n", "\r\n", "\r"}) {
-        std::string ply = box_ply("binary_little_endian");
-        const std::size_t body = ply.find("end_header\n") + 11;
-        ply[body] = '\n';
-        expect_box(load("a.ply", with_line_ends(ply.substr(0, body), end) + ply.substr(body)));
-    }
-}
-
-TEST_F(MeshFile, PlyStripsAreRefusedByName) {
-    std::string ply = box_ply("ascii");
-    ply.replace(ply.find("end_header"), 0, "element tristrips 1\nproperty list int int vertex_indices\n");
-    EXPECT_NE(complaint("a.ply", ply + "3 0 1 2\n").find("triangle strips (tristrips) are not read"),
-              std::string::npos);
-}
-
-TEST_F(MeshFile, GltfNodesMoveMirrorAndScale) {
-    const auto mesh = load("box.glb", box_glb());
-    ASSERT_TRUE(mesh);
-    double low = 1e9;
-    double high = -1e9;
-    for (const DVec3& p : mesh.value().vertices) {
-        low = std::min(low, p.x);
-        high = std::max(high, p.x);
-    }
-    EXPECT_EQ(low, -5.5);
-    EXPECT_EQ(high, -4.5);
 }
 
 TEST(GemFile, HasIts73PlanesAndEncirclesAConvexSolid) {
@@ -374,16 +100,6 @@ TEST_F(MeshFile, NotANumberInBinaryFilesIsFoundWithItsPlace) {
     const std::size_t body = ply.find("end_header\n") + 11;
     std::memcpy(ply.data() + body + 17 * 3 + 1, &nan, 4);
     EXPECT_NE(complaint("a.ply", ply).find("vertex 3 is not finite"), std::string::npos);
-}
-
-// Unsigned areas of the triangles that look up: twice as much where triangles fold over each other's outline.
-double area_from_above(const Mesh& mesh) {
-    double area = 0.0;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const DVec3 n = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
-        if (n.z > 0.0) area += 0.5 * n.z;
-    }
-    return area;
 }
 
 // Prisms from z = 0 to 1 over a U (4.985, by the shoelace formula) and a plus sign of five unit squares.

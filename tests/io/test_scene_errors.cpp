@@ -78,6 +78,8 @@ const std::vector<BadScene>& bad_scenes() {
          "write the keys out"},
 
         {"unknown key", camera + "objets: []\n", "objets", "objets", "unknown key", "'objects'"},
+        {"unknown axis", object("shape: {mesh: {file: bench/gem.ply, up: w}}, absorber: on"), "w}",
+         "objects[0].shape.mesh.up", "unknown word 'w'", "y"},
         {"unknown key far from all", empty_scene + "zzzzzz: 1\n", "zzzzzz", "zzzzzz", "unknown key", "known: title"},
         {"unknown key inside", "camera:\n  positon: [0, 0, 5]\nobjects: []\n", "posito", "camera.positon",
          "unknown key", "'position'"},

@@ -213,6 +213,20 @@ TEST(SceneFile, TransformStepsApplyInTheirOrder) {
     EXPECT_EQ(moved.z, 0.0);
 }
 
+// What stands along y in the file stands along z in the scene, before all steps of the transform.
+TEST(SceneFile, AMeshWithYUpIsTurnedOntoItsFeet) {
+    const std::string mesh = "objects:\n  - {name: gem, absorber: on, shape: {mesh: {file: bench/gem.ply";
+    const Scene scene = parsed(camera + mesh + ", up: y}}, transform: [{translate: [10, 20, 30]}]}\n");
+    EXPECT_EQ(DVec3(scene.objects[0].to_world * glm::dvec4(1, 2, 3, 1)), DVec3(10 + 1, 20 - 3, 30 + 2));
+    EXPECT_EQ(parsed(save_scene(scene)).objects[0].to_world, scene.objects[0].to_world);
+    EXPECT_EQ(parsed(camera + mesh + ", up: y}}}\n").objects[0].to_world,
+              parsed(camera + mesh + "}}, transform: [{matrix: [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0]]}]}\n")
+                  .objects[0]
+                  .to_world);
+    EXPECT_EQ(parsed(camera + mesh + ", up: z}}}\n").objects[0].to_world, DMat4(1.0));
+    EXPECT_EQ(parsed(camera + mesh + "}}}\n").objects[0].to_world, DMat4(1.0));
+}
+
 TEST(SceneFile, RotationAbout111By120DegreesPermutesTheAxes) {
     const Scene scene = parsed(camera +
                                "objects:\n  - {name: a, shape: {disk: {radius: 1}}, absorber: on, transform: "
