@@ -36,7 +36,7 @@ SheetRow words(std::string name, const std::string& text, std::string_view help)
 }
 
 void add_matrix(std::vector<SheetRow>& rows, const RayTreeNode& node) {
-    constexpr std::string_view help = "From the branch's field vectors 1, 2 to the camera's x, y";
+    constexpr std::string_view help = "From the branch's E1, E2 to the camera's x, y";
     const auto& m = node.start.throughput.m;
     rows.push_back(complex("M x1", m[0][0], help));
     rows.push_back(complex("M y1", m[1][0], help));
@@ -45,33 +45,37 @@ void add_matrix(std::vector<SheetRow>& rows, const RayTreeNode& node) {
     rows.push_back(complex("M y2", m[1][1], help));
 }
 
-void add_arriving(std::vector<SheetRow>& rows, const RayTreeNode& node) {
+void add_arriving(std::vector<SheetRow>& rows, const Explanation& explanation, const RayTreeNode& node) {
     constexpr std::string_view help =
-        "Light that arrives at the start of the branch, in its field vectors, before the steps to the camera";
+        "Light that arrives at the start of the branch, on its way to the camera, in the frame E1, E2";
     if (!node.arriving) {
         rows.push_back(words("light", "not known on the random tail", help));
         return;
     }
+    const Stokes<double> s = to_stokes(*node.arriving);
+    rows.push_back(number("light S0", s.s0, "", help));
+    rows.push_back(number("light S1", s.s1, "", help));
+    rows.push_back(number("light S2", s.s2, "", help));
+    rows.push_back(number("light S3", s.s3, "", help));
+    rows.push_back(words("light is", handedness_of(measure_arriving(explanation, node)),
+                         "Handedness: right is clockwise for who looks along the backward ray"));
     rows.push_back(number("light J11", node.arriving->xx, "", help));
-    if (node.start.wave.kind != WaveKind::pair) return;
     rows.push_back(number("light J22", node.arriving->yy, "", help));
     rows.push_back(complex("light J12", node.arriving->xy, help));
 }
 
 }  // namespace
 
-std::string branch_title(const Plan& plan, const Explanation& explanation, int branch, bool total_reflection) {
+std::string branch_title(const Plan& plan, const Explanation& explanation, int branch, bool is_total_reflection) {
     const RayTreeNode& node = node_of(explanation, branch);
     const bool single = node.start.wave.kind != WaveKind::pair;
-    return fmt::format("{}{}{} {}", total_reflection ? "total refl." : name_of(node.interaction), single ? " " : "",
+    return fmt::format("{}{}{} {}", name_of(node.interaction, is_total_reflection), single ? " " : "",
                        single ? mode_of(node.start.wave) : "", medium_name(plan, node.start.region));
 }
 
 std::string branch_end(const Plan& plan, const Explanation& explanation, int branch) {
     const RayTreeNode& node = node_of(explanation, branch);
-    if (node.reason && is_unresolved(*node.reason))
-        return *node.reason == LeafReason::failure ? "failed" : "not followed";
-    if (!node.arrived) return name_of(*node.reason);
+    if (node.reason && (!node.arrived || is_not_followed(*node.reason))) return name_of(*node.reason);
     const std::string& met = plan.body_name(node.crossing.body);
     return node.reason || node.crossing.facet < 0 ? met : fmt::format("{} {}", met, node.crossing.facet);
 }
@@ -80,10 +84,10 @@ SheetGroup make_branch_sheet(const Plan& plan, const Explanation& explanation, i
     const RayTreeNode& node = node_of(explanation, branch);
     SheetGroup group{fmt::format("Branch {}", branch), {}};
     std::vector<SheetRow>& rows = group.rows;
-    rows.push_back(words("came by",
+    rows.push_back(words("interaction",
                          branch_title(plan, explanation, branch, is_total_reflection(plan, explanation, branch)),
                          "Interaction, mode and medium"));
-    if (node.reason) rows.push_back(words("ended", name_of(*node.reason), "Why the branch did not go on"));
+    if (node.reason) rows.push_back(words("ended", name_of(*node.reason), help_of(*node.reason)));
     if (node.arrived) {
         rows.push_back(words("meets",
                              fmt::format("{}, facet {}", plan.body_name(node.crossing.body), node.crossing.facet),
@@ -94,17 +98,19 @@ SheetGroup make_branch_sheet(const Plan& plan, const Explanation& explanation, i
     rows.push_back(number("index", index_of(node), "", "Refractive index that it sees, |k|"));
     rows.push_back(vector("k", node.start.wave.k, "Wave vector of the backward ray in units of omega/c"));
     rows.push_back(vector("ray", node.start.wave.ray, "Direction of the backward ray (energy)"));
-    rows.push_back(vector("field 1", node.start.wave.field[0], "Electric field vector of column 1"));
-    if (node.start.wave.kind == WaveKind::pair)
-        rows.push_back(vector("field 2", node.start.wave.field[1], "Electric field vector of column 2"));
+    rows.push_back(vector("E1", node.start.wave.field[0], "x axis of the light's frame: s, or the field of a mode"));
+    rows.push_back(vector("E2", node.start.wave.field[1], "y axis of the light's frame: p"));
+    rows.push_back(vector("E1 x E2", -node.start.wave.ray, "Direction of the light, against the backward ray"));
     rows.push_back(
         number("weight", node.start.weight, "", "Share of the pixel that unpolarized light on it can bring"));
-    rows.push_back(number("brings S0", node.share.s0, "", "It and all that grew from it"));
-    rows.push_back(number("brings S1", node.share.s1, "", "It and all that grew from it"));
-    rows.push_back(number("brings S2", node.share.s2, "", "It and all that grew from it"));
-    rows.push_back(number("brings S3", node.share.s3, "", "It and all that grew from it"));
+    constexpr std::string_view share_help =
+        "What it and all that grew from it bring to the pixel, in the pixel's frame";
+    rows.push_back(number("share S0", node.share.s0, "", share_help));
+    rows.push_back(number("share S1", node.share.s1, "", share_help));
+    rows.push_back(number("share S2", node.share.s2, "", share_help));
+    rows.push_back(number("share S3", node.share.s3, "", share_help));
     add_matrix(rows, node);
-    add_arriving(rows, node);
+    add_arriving(rows, explanation, node);
     if (node.estimated) rows.push_back(words("estimated", "random tail", "Rescaled to stand for all that was open"));
     return group;
 }

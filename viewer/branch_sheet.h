@@ -9,10 +9,10 @@
 
 namespace pol {
 
-/// "reflected o calcite", "transmitted glass", "total refl. glass": how the branch came to be and where it goes.
-std::string branch_title(const Plan& plan, const Explanation& explanation, int branch, bool total_reflection);
+/// "reflected o calcite", "transmitted glass", "totally reflected glass": how the branch came to be and where it goes.
+std::string branch_title(const Plan& plan, const Explanation& explanation, int branch, bool is_total_reflection);
 
-/// Where it ends: "cube 3" (object and facet), "light" (an emitter), "background", "not followed".
+/// Where it ends: "cube 3" (object and facet), "light" (an emitter), "background", or why it was not followed.
 std::string branch_end(const Plan& plan, const Explanation& explanation, int branch);
 
 /// All numbers of a branch, in the engine's conventions.

@@ -75,7 +75,7 @@ bool PathList::passes(int leaf) const {
     if (filter_.only_e && (!facts.had_e || facts.had_o)) return false;
     if (filter_.total_reflection && !facts.had_total) return false;
     if (filter_.body && !facts.had_body) return false;
-    if (filter_.unresolved && !is_unresolved(*node(leaf).reason)) return false;
+    if (filter_.not_followed && !is_not_followed(*node(leaf).reason)) return false;
     const double s0 = node(leaf).light.s0;
     return !filter_.bright || (s0 > 0.0 && s0 >= filter_.least_share * explanation_->sample_light.s0);
 }

@@ -19,10 +19,10 @@ struct PathFilter {
     bool only_e = false;            ///< every crystal it went through as e, and at least one
     bool total_reflection = false;  ///< at least one on the way
     bool bright = false;            ///< brings at least `least_share` of the pixel's S0
-    bool unresolved = false;        ///< its light was not followed to a source
+    bool not_followed = false;      ///< to its end: no light of it is known
     std::optional<int> body;        ///< went through or met this body of the plan
     double least_share = 0.01;
-    [[nodiscard]] bool any() const { return only_e || total_reflection || bright || unresolved || body.has_value(); }
+    [[nodiscard]] bool any() const { return only_e || total_reflection || bright || not_followed || body.has_value(); }
     friend bool operator==(const PathFilter&, const PathFilter&) = default;
 };
 

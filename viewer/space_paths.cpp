@@ -5,61 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/contract.h"
 #include "core/units.h"
 #include "polarization/measures.h"
 
 namespace pol {
-
-std::string_view name_of(PathKind kind) {
-    switch (kind) {
-        case PathKind::camera:
-            return "camera";
-        case PathKind::reflected:
-            return "reflected";
-        case PathKind::refracted:
-            return "refracted";
-        case PathKind::sheet:
-            return "through a sheet";
-        case PathKind::ordinary:
-            return "o";
-        case PathKind::extraordinary:
-            return "e";
-        case PathKind::lost:
-            return "not followed";
-    }
-    POL_EXPECTS(false);
-    return {};
-}
-
-PathKind kind_of(const RayTreeNode& node) {
-    switch (node.reason.value_or(LeafReason::absorbed)) {
-        case LeafReason::residual:
-        case LeafReason::depth:
-        case LeafReason::node_budget:
-        case LeafReason::tail_limit:
-        case LeafReason::failure:
-            return PathKind::lost;
-        case LeafReason::emitter:
-        case LeafReason::background:
-        case LeafReason::absorbed:
-            break;
-    }
-    if (node.start.wave.kind == WaveKind::ordinary) return PathKind::ordinary;
-    if (node.start.wave.kind == WaveKind::extraordinary) return PathKind::extraordinary;
-    switch (node.interaction) {
-        case Interaction::camera:
-            return PathKind::camera;
-        case Interaction::reflected:
-            return PathKind::reflected;
-        case Interaction::transmitted:
-            return PathKind::refracted;
-        case Interaction::sheet:
-            return PathKind::sheet;
-    }
-    POL_EXPECTS(false);
-    return {};
-}
 
 std::vector<PathSegment> path_segments(const RayTree& tree, double open_length, std::size_t most) {
     const auto weight_of = [&](int node) { return tree.nodes[static_cast<std::size_t>(node)].start.weight; };
@@ -74,7 +23,7 @@ std::vector<PathSegment> path_segments(const RayTree& tree, double open_length, 
         const RayTreeNode& node = tree.nodes[static_cast<std::size_t>(*index)];
         const bool met_something = node.arrived && node.crossing.body >= 0;
         const PathKind kind = kind_of(node);
-        const double length = kind == PathKind::lost ? 0.1 * open_length : open_length;
+        const double length = kind == PathKind::not_followed ? 0.1 * open_length : open_length;
         const DVec3 end = met_something ? node.end.origin : node.start.origin + length * node.start.wave.ray;
         segments.push_back({{node.start.origin, end}, kind, node.start.weight, *index});
     }

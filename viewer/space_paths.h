@@ -4,26 +4,14 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include "tracer/explain.h"
+#include "tracer/tree_names.h"
 #include "viewer/space_view.h"
 
 namespace pol {
-
-/// What a branch is, for its color. The mode of a crystal goes before how the branch came to be.
-enum class PathKind : std::uint8_t { camera, reflected, refracted, sheet, ordinary, extraordinary, lost };
-inline constexpr std::size_t path_kind_count = 7;
-
-/// As the legend has it.
-std::string_view name_of(PathKind kind);
-
-/// `lost`: what came along the branch is not known (residual, depth, budget, failure).
-PathKind kind_of(const RayTreeNode& node);
 
 struct PathSegment {
     SpaceLine line;  ///< from where the backward ray left to where it arrived
@@ -44,12 +32,12 @@ std::optional<int> node_at(std::span<const PathSegment> segments, const SpaceVie
 /// The tip of the electric field of the polarized part of the light on a branch, over one period.
 struct FieldFigure {
     DVec3 center{};
-    DVec3 x{};  ///< axes of the branch's field frame, as long as the figure is high; y is 0 for a mode
+    DVec3 x{};  ///< axes E1, E2 of the light, as long as the figure is high; y is 0 for a mode
     DVec3 y{};
     std::vector<DVec3> tips;  ///< in the order of time, closed; empty for unpolarized light
 };
 
-/// In the branch's own field frame, in the middle of its line or three radii before its end, at most `radius` large:
+/// In the frame of the branch's light, in the middle of its line or three radii before its end, at most `radius` large:
 /// sqrt(degree of polarization) of it. Empty if the light is not known (random tail) or if there is none.
 std::optional<FieldFigure> field_figure(const RayTreeNode& node, const SpaceLine& line, double radius);
 

@@ -51,6 +51,20 @@ std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t wa
     return points;
 }
 
+std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Bench& bench, std::size_t most) {
+    std::vector<SpherePoint> points;
+    for (const int leaf : explanation.tree.leaves) {
+        const RayTreeNode& node = explanation.tree.nodes[static_cast<std::size_t>(leaf)];
+        if (points.size() == most) break;
+        auto point = sphere_point(bench.empty() ? node.share : bench.mueller() * node.share);
+        if (!point) continue;
+        point->wavelength = static_cast<std::size_t>(explanation.wavelength);
+        point->node = leaf;
+        points.push_back(*point);
+    }
+    return points;
+}
+
 std::vector<bool> pixels_inside(const ShownPicture& shown, std::size_t wavelength, const TileRect& region,
                                 const SphereView& view, const std::vector<DVec2>& polygon, bool front_only) {
     const StokesImage& picture = shown.picture();

@@ -8,6 +8,8 @@
 
 #include "core/vec.h"
 #include "polarization/stokes.h"
+#include "tracer/explain.h"
+#include "viewer/bench.h"
 #include "viewer/selection.h"
 #include "viewer/shown_picture.h"
 
@@ -29,7 +31,7 @@ struct SpherePoint {
     DVec3 place{0.0, 0.0, 0.0};
     double intensity = 0.0;  ///< S0
     std::size_t wavelength = 0;
-    std::optional<PixelAddress> pixel;  ///< none: light of a branch of the tree
+    std::optional<PixelAddress> pixel;  ///< none: share of a leaf of the tree
     std::optional<int> node;
 };
 
@@ -40,6 +42,9 @@ std::optional<SpherePoint> sphere_point(const Stokes<double>& light);
 /// left out.
 std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t wavelength, const TileRect& region,
                                        std::size_t most);
+
+/// What each leaf brings to the pixel, in the pixel's frame, behind the elements of `bench`: the first `most` of them.
+std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Bench& bench, std::size_t most);
 
 /// Every pixel of `region` whose point is seen inside the polygon (in the coordinates of SphereView::seen), on the half
 /// that faces the viewer if `front_only`. As long as the picture has pixels.

@@ -36,8 +36,7 @@ std::string text_of(const DVec3& v) {
     return fmt::format("({:.9f}, {:.9f}, {:.9f})", v.x, v.y, v.z);
 }
 
-std::string text_of(const CoherenceMatrix<double>& j, bool single) {
-    if (single) return fmt::format("{:.6g}", j.xx);
+std::string text_of(const CoherenceMatrix<double>& j) {
     return fmt::format("[[{:.6g}, {:.6g}{:+.6g}i], [{:.6g}{:+.6g}i, {:.6g}]]", j.xx, j.xy.re, j.xy.im, j.xy.re,
                        -j.xy.im, j.yy);
 }
@@ -46,7 +45,11 @@ std::string text_of(const Complex<double>& z) {
     return fmt::format("{:.6g}{:+.6g}i", z.re, z.im);
 }
 
-/// Rows are the camera's x and y, columns the field vectors of the branch.
+std::string text_of(const Stokes<double>& s) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g})", s.s0, s.s1, s.s2, s.s3);
+}
+
+/// Rows are the camera's x and y, columns E1 and E2 of the branch.
 std::string text_of(const Throughput<double>& t, bool single) {
     if (single) return fmt::format("[[{}], [{}]]", text_of(t.m[0][0]), text_of(t.m[1][0]));
     return fmt::format("[[{}, {}], [{}, {}]]", text_of(t.m[0][0]), text_of(t.m[0][1]), text_of(t.m[1][0]),
@@ -83,10 +86,8 @@ void write_measures(std::string& out, const Plan& plan, const Explanation& e) {
     row("ellipticity b/a", m.ellipticity, bars->ellipticity, m.has_polarization, 1.0, "");
     row("azimuth", m.azimuth, {m.azimuth - bars->azimuth, m.azimuth + bars->azimuth}, m.has_azimuth, degrees(1.0),
         " deg");
-    fmt::format_to(to, "{:<20} {}\n", "handedness",
-                   m.handedness > 0   ? "right (clockwise for the receiver)"
-                   : m.handedness < 0 ? "left"
-                                      : "linear or undefined");
+    fmt::format_to(to, "{:<20} {}{}\n", "handedness", handedness_of(m),
+                   m.handedness > 0 ? " (clockwise for the receiver)" : "");
 }
 
 void write_branch(std::string& out, const Plan& plan, const Explanation& e, int index, int indent, double least_share,
@@ -98,21 +99,24 @@ void write_branch(std::string& out, const Plan& plan, const Explanation& e, int 
     }
     auto to = std::back_inserter(out);
     const std::string pad(static_cast<std::size_t>(2 * indent), ' ');
-    fmt::format_to(to, "{}#{} {} in {}, {}, n = {:.6f}, weight {:.6g}{}\n", pad, index, name_of(node.interaction),
+    fmt::format_to(to, "{}#{} {} in {}, {}, n = {:.6f}, weight {:.6g}{}\n", pad, index, interaction_of(plan, e, index),
                    medium_name(plan, node.start.region), mode_of(node.start.wave), index_of(node), node.start.weight,
                    node.estimated ? "  (random tail)" : "");
     fmt::format_to(to, "{}   ray {}  k {}\n", pad, text_of(node.start.wave.ray), text_of(node.start.wave.k));
-    fmt::format_to(to, "{}   to the camera {}\n", pad,
+    fmt::format_to(to, "{}   E1 {}  E2 {}\n", pad, text_of(node.start.wave.field[0]),
+                   text_of(node.start.wave.field[1]));
+    fmt::format_to(to, "{}   M to the camera {}\n", pad,
                    text_of(node.start.throughput, node.start.wave.kind != WaveKind::pair));
     if (node.arriving)
-        fmt::format_to(to, "{}   light here {}", pad, text_of(*node.arriving, node.start.wave.kind != WaveKind::pair));
-    const double brings = node.share.s0;
-    fmt::format_to(to, "{}brings S0 {:.6g}{}\n", node.arriving ? ", " : pad + "   ", brings,
-                   e.sample_light.s0 > 0.0 ? fmt::format(" ({:.3g} %)", 100.0 * brings / e.sample_light.s0) : "");
+        fmt::format_to(to, "{}   light S {}  J {}  {}\n", pad, text_of(to_stokes(*node.arriving)),
+                       text_of(*node.arriving), handedness_of(measure_arriving(e, node)));
+    fmt::format_to(
+        to, "{}   share S {}{}\n", pad, text_of(node.share),
+        e.sample_light.s0 > 0.0 ? fmt::format("  {:.3g} % of S0", 100.0 * node.share.s0 / e.sample_light.s0) : "");
     if (node.arrived)
         fmt::format_to(to, "{}   meets {} facet {} at {}, {:.6f} deg\n", pad, plan.body_name(node.crossing.body),
                        node.crossing.facet, text_of(node.end.origin), degrees(node.angle));
-    if (node.reason) fmt::format_to(to, "{}   ends: {}\n", pad, name_of(*node.reason));
+    if (node.reason) fmt::format_to(to, "{}   ends: {} ({})\n", pad, name_of(*node.reason), help_of(*node.reason));
     for (const int child : node.children) write_branch(out, plan, e, child, indent + 1, least_share, hidden);
 }
 
@@ -138,7 +142,7 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
     Json out;
     out["id"] = index;
     out["parent"] = node.parent;
-    out["interaction"] = name_of(node.interaction);
+    out["interaction"] = interaction_of(plan, e, index);
     out["depth"] = node.start.depth;
     out["medium"] = medium_name(plan, node.start.region);
     out["mode"] = mode_of(wave);
@@ -146,8 +150,7 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
     out["origin"] = json_of(node.start.origin);
     out["k"] = json_of(wave.k);
     out["ray"] = json_of(wave.ray);
-    out["field"] = Json::array({json_of(wave.field[0])});
-    if (wave.kind == WaveKind::pair) out["field"].push_back(json_of(wave.field[1]));
+    out["frame"] = {{"E1", json_of(wave.field[0])}, {"E2", json_of(wave.field[1])}, {"k", json_of(-wave.ray)}};
     out["weight"] = node.start.weight;
     out["matrix"] = Json::array();
     for (const auto& row : node.start.throughput.m) {
@@ -155,7 +158,10 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
         if (wave.kind == WaveKind::pair) columns.push_back(json_of(row[1]));
         out["matrix"].push_back(columns);
     }
-    if (node.arriving) out["arriving"] = json_of(*node.arriving);
+    if (node.arriving)
+        out["light"] = {{"stokes", json_of(to_stokes(*node.arriving))},
+                        {"coherence", json_of(*node.arriving)},
+                        {"handedness", measure_arriving(e, node).handedness}};
     out["share"] = json_of(node.share);
     out["estimated"] = node.estimated;
     if (node.arrived) {
@@ -165,10 +171,7 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
         out["normal"] = json_of(node.crossing.normal);
         out["angle_deg"] = degrees(node.angle);
     }
-    if (node.reason) {
-        out["ended"] = name_of(*node.reason);
-        if (node.brings_light()) out["light"] = json_of(node.light);
-    }
+    if (node.reason) out["ended"] = name_of(*node.reason);
     return out;
 }
 
@@ -180,12 +183,17 @@ std::string explanation_as_text(const Plan& plan, const Explanation& e, double l
     fmt::format_to(to, "pixel {},{}  sample {} of {}  {} nm\n\n", e.x, e.y, e.sample, plan.settings.samples_per_pixel,
                    plan.wavelengths_nm[static_cast<std::size_t>(e.wavelength)]);
     write_measures(out, plan, e);
-    fmt::format_to(to, "\nresolved {:.6g} + absorbed {:.6g} + untraced {:.6g} + random tail {:.6g} = 1 {:+.1e}\n",
+    fmt::format_to(to, "\nresolved {:.6g} + absorbed {:.6g} + residual {:.6g} + random tail {:.6g} = 1 {:+.1e}\n",
                    e.result.resolved, e.result.absorbed, e.result.residual, e.result.tail,
                    e.result.resolved + e.result.absorbed + e.result.residual + e.result.tail - 1.0);
     fmt::format_to(
         to, "{} leaves; their sum {} the rendered sample{}\n\n", e.tree.leaves.size(), e.exact() ? "is" : "IS NOT",
         e.exact() ? " to the last bit" : fmt::format(": S0 differs by {:.3e}", e.leaf_sum.s0 - e.sample_light.s0));
+    fmt::format_to(
+        to,
+        "ray and k of a branch run from the camera, its light (S, J) the other way; E1, E2 and -ray are the\n"
+        "right-handed frame of the light and of M, share is what the branch and all that grew from it bring\n"
+        "to the pixel, in the pixel's frame\n\n");
     int hidden = 0;
     write_branch(out, plan, e, 0, 0, least_share, hidden);
     if (hidden > 0)

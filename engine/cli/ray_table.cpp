@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
@@ -42,10 +43,9 @@ template <int axis>
 Number wave_vector(const RayTable& t, int i) {
     return t.node(i).start.wave.k[axis];
 }
-template <int mode, int axis>
+template <int which, int axis>
 Number field(const RayTable& t, int i) {
-    const Wave<double>& wave = t.node(i).start.wave;
-    return mode < wave.mode_count() ? Number(wave.field[mode][axis]) : std::nullopt;
+    return t.node(i).start.wave.field[which][axis];
 }
 template <int row, int mode, bool imaginary>
 Number matrix(const RayTable& t, int i) {
@@ -58,19 +58,16 @@ template <double Stokes<double>::*component>
 Number share(const RayTable& t, int i) {
     return t.node(i).share.*component;
 }
-/// Light on a single mode has one number: its S0.
 template <double Stokes<double>::*component>
 Number arriving(const RayTable& t, int i) {
     const RayTreeNode& node = t.node(i);
-    if (!node.arriving) return std::nullopt;
-    if (node.start.wave.kind == WaveKind::pair) return to_stokes(*node.arriving).*component;
-    return component == &Stokes<double>::s0 ? Number(node.arriving->xx) : std::nullopt;
+    return node.arriving ? Number(to_stokes(*node.arriving).*component) : std::nullopt;
 }
 
 constexpr auto parent = [](const RayTable& t, int i) { return Number(t.node(i).parent); };
 constexpr auto itself = [](const RayTable&, int i) { return Number(i); };
 constexpr auto interaction = [](const RayTable& t, int i) -> std::string {
-    return is_total_reflection(t.plan, t.explanation, i) ? "totally reflected" : name_of(t.node(i).interaction);
+    return interaction_of(t.plan, t.explanation, i);
 };
 constexpr auto surface = [](const RayTable& t, int i) -> std::string {
     return t.node(i).arrived ? t.plan.body_name(t.node(i).crossing.body) : std::string();
@@ -108,21 +105,25 @@ constexpr std::array table{
     text<mode>("mode", "s/p: both polarizations; o, e: one mode of a crystal"),
     number<angle>("angle_deg", "Angle of incidence where it ends, degrees"),
     number<weight>("weight", "Share of the pixel that unpolarized light on it can bring, at its start"),
-    number<share<&S::s0>>("S0", "What it and all that grew from it bring to the pixel"),
-    number<share<&S::s1>>("S1", "What it and all that grew from it bring to the pixel"),
-    number<share<&S::s2>>("S2", "What it and all that grew from it bring to the pixel"),
-    number<share<&S::s3>>("S3", "What it and all that grew from it bring to the pixel"),
-    number<arriving<&S::s0>>("light_S0", "Light on it before the steps to the camera, basis E1, E2"),
-    number<arriving<&S::s1>>("light_S1", "Light on it before the steps to the camera, basis E1, E2"),
-    number<arriving<&S::s2>>("light_S2", "Light on it before the steps to the camera, basis E1, E2"),
-    number<arriving<&S::s3>>("light_S3", "Light on it before the steps to the camera, basis E1, E2"),
+    number<share<&S::s0>>("share_S0", "What it and all that grew from it bring to the pixel, in the pixel's frame"),
+    number<share<&S::s1>>("share_S1", "What it and all that grew from it bring to the pixel, in the pixel's frame"),
+    number<share<&S::s2>>("share_S2", "What it and all that grew from it bring to the pixel, in the pixel's frame"),
+    number<share<&S::s3>>("share_S3", "What it and all that grew from it bring to the pixel, in the pixel's frame"),
+    number<arriving<&S::s0>>("light_S0",
+                             "Light that arrives at its start, on its way to the camera, in the frame E1, E2"),
+    number<arriving<&S::s1>>("light_S1",
+                             "Light that arrives at its start, on its way to the camera, in the frame E1, E2"),
+    number<arriving<&S::s2>>("light_S2",
+                             "Light that arrives at its start, on its way to the camera, in the frame E1, E2"),
+    number<arriving<&S::s3>>("light_S3",
+                             "Light that arrives at its start, on its way to the camera, in the frame E1, E2"),
     number<path>("OPL", "Optical path from the camera to its end, sum of k . dr, scene units"),
-    number<field<0, 0>>("E1_x", "First electric field vector, unit length"),
-    number<field<0, 1>>("E1_y", "First electric field vector, unit length"),
-    number<field<0, 2>>("E1_z", "First electric field vector, unit length"),
-    number<field<1, 0>>("E2_x", "Second electric field vector; a single mode has none"),
-    number<field<1, 1>>("E2_y", "Second electric field vector; a single mode has none"),
-    number<field<1, 2>>("E2_z", "Second electric field vector; a single mode has none"),
+    number<field<0, 0>>("E1_x", "x axis of the light's right-handed frame E1, E2, -(L, M, N): s, or a mode's field"),
+    number<field<0, 1>>("E1_y", "x axis of the light's right-handed frame E1, E2, -(L, M, N): s, or a mode's field"),
+    number<field<0, 2>>("E1_z", "x axis of the light's right-handed frame E1, E2, -(L, M, N): s, or a mode's field"),
+    number<field<1, 0>>("E2_x", "y axis of the light's right-handed frame E1, E2, -(L, M, N): p"),
+    number<field<1, 1>>("E2_y", "y axis of the light's right-handed frame E1, E2, -(L, M, N): p"),
+    number<field<1, 2>>("E2_z", "y axis of the light's right-handed frame E1, E2, -(L, M, N): p"),
     number<matrix<0, 0, false>>("M_x1_re", "Matrix from E1, E2 to the camera's x, y"),
     number<matrix<0, 0, true>>("M_x1_im", "Matrix from E1, E2 to the camera's x, y"),
     number<matrix<1, 0, false>>("M_y1_re", "Matrix from E1, E2 to the camera's x, y"),
@@ -141,15 +142,11 @@ std::string csv_field(const std::string& text) {
     return quoted + '"';
 }
 
-constexpr std::array<const char*, 7> obj_groups{"camera", "reflected", "refracted", "o", "e", "sheet", "lost"};
-
-std::size_t obj_group(const RayTreeNode& node) {
-    if (node.parent < 0) return 0;
-    if (node.reason && !node.brings_light()) return 6;
-    if (node.start.wave.kind == WaveKind::ordinary) return 3;
-    if (node.start.wave.kind == WaveKind::extraordinary) return 4;
-    if (node.interaction == Interaction::sheet) return 5;
-    return node.interaction == Interaction::reflected ? 1 : 2;
+/// A blank would begin another name.
+std::string obj_group(PathKind kind) {
+    std::string name = name_of(kind);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
 }
 
 }  // namespace
@@ -202,11 +199,11 @@ std::string paths_as_obj(const Plan& plan, const Explanation& explanation) {
     vertex(explanation.task.ray.origin);
     for (const RayTreeNode& node : nodes)
         vertex(node.arrived ? node.end.origin : node.start.origin + node.start.wave.ray * plan.length_scale);
-    for (std::size_t group = 0; group < obj_groups.size(); ++group) {
+    for (const PathKind kind : all_path_kinds) {
         bool open = false;
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (obj_group(nodes[i]) != group) continue;
-            if (!open) fmt::format_to(to, "g {}\n", obj_groups[group]);
+            if (kind_of(nodes[i]) != kind) continue;
+            if (!open) fmt::format_to(to, "g {}\n", obj_group(kind));
             open = true;
             fmt::format_to(to, "l {} {}\n", nodes[i].parent + 2, i + 2);
         }

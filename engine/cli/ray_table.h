@@ -47,8 +47,8 @@ private:
 /// All rows with a head line, RFC 4180; numbers read back to the same bits, what does not exist is empty.
 std::string ray_table_as_csv(const Plan& plan, const Explanation& explanation);
 
-/// The segments as line elements of a Wavefront OBJ file, in groups camera, reflected, refracted, o, e, lost (ended
-/// without light) and sheet. A ray that leaves the scene is drawn over the length of the scene.
+/// The segments as line elements of a Wavefront OBJ file, in groups by PathKind: camera, reflected, transmitted,
+/// through_sheet, o, e and not_followed. A ray that leaves the scene is drawn over the length of the scene.
 std::string paths_as_obj(const Plan& plan, const Explanation& explanation);
 
 }  // namespace pol

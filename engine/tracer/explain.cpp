@@ -54,7 +54,7 @@ double kept(const RayTreeNode& node) {
 }
 
 /// The step at the end of `parent` once more, with M = 1: its branches carry the matrices from their starts to the end
-/// of the parent.
+/// of the parent, in the kernel's frames.
 void repeat_step(const Plan& plan, int group, const RayTreeNode& parent, Branches& branches) {
     const Node node = with_unit_throughput(parent.end);
     if (!plan.is_solid(parent.crossing.body)) {
@@ -91,18 +91,13 @@ CoherenceMatrix<double> light_of_children(const Plan& plan, const Explanation& e
         const RayTreeNode& child = explanation.tree.nodes[static_cast<std::size_t>(index)];
         const Node* branch = same_branch(branches, child);
         if (child.estimated || branch == nullptr) continue;
-        Throughput<double> step = branch->throughput;
+        Throughput<double> step = in_frame_of_light(*branch).throughput;
         step.scale(std::sqrt(kept(parent)));
-        sum += to_coherence(step.gather(*child.arriving));
+        CoherenceMatrix<double> light = *child.arriving;
+        if (child.start.wave.kind != WaveKind::pair) light = {trace(light), 0.0, {}};
+        sum += to_coherence(step.gather(light));
     }
     return sum;
-}
-
-/// The same power without its polarization; a single mode holds all of it in xx.
-CoherenceMatrix<double> depolarized(const CoherenceMatrix<double>& c, WaveKind kind) {
-    const double power = c.xx + c.yy;
-    if (kind != WaveKind::pair) return {power, 0.0, {}};
-    return CoherenceMatrix<double>::unpolarized(power);
 }
 
 /// Children are born after their parents, so one sweep from the back gathers the light. False: not wanted any more.
@@ -117,7 +112,7 @@ bool gather(const Plan& plan, Explanation& explanation, const KeepGoing& keep_go
         if (node->estimated) continue;
         node->arriving = node->reason ? kept(*node) * leaf_source(plan, explanation, *node, node->end.wave)
                                       : light_of_children(plan, explanation, *node, branches);
-        if (plan.settings.unpolarized) node->arriving = depolarized(*node->arriving, node->start.wave.kind);
+        if (plan.settings.unpolarized) node->arriving = CoherenceMatrix<double>::unpolarized(trace(*node->arriving));
     }
     return true;
 }

@@ -5,12 +5,22 @@
 
 namespace pol {
 
+Node in_frame_of_light(Node node) {
+    Wave<double>& wave = node.wave;
+    if (wave.kind != WaveKind::pair) {
+        wave.field[1] = cross(wave.field[0], wave.ray);
+    } else if (dot(cross(wave.field[0], wave.field[1]), wave.ray) > 0.0) {
+        wave.field[1] = -wave.field[1];
+        for (auto& row : node.throughput.m) row[1] = -row[1];
+    }
+    return node;
+}
+
 void TreeRecorder::opened(const Node& node, int parent, Interaction interaction) {
     RayTreeNode entry;
     entry.parent = parent;
     entry.interaction = interaction;
-    entry.start = node;
-    entry.end = node;
+    entry.start = entry.end = in_frame_of_light(node);
     entry.estimated = in_tail_;
     tree.nodes.push_back(entry);
     if (parent < 0) return;
@@ -20,7 +30,7 @@ void TreeRecorder::opened(const Node& node, int parent, Interaction interaction)
 
 void TreeRecorder::reached(const Node& node, const Crossing& crossing) {
     RayTreeNode& entry = at(node.id);
-    entry.end = node;
+    entry.end = in_frame_of_light(node);
     entry.crossing = crossing;
     entry.arrived = true;
     // The angle from the cross product too: acos alone loses half the digits near normal incidence.
@@ -30,7 +40,7 @@ void TreeRecorder::reached(const Node& node, const Crossing& crossing) {
 
 void TreeRecorder::ended(const Node& node, LeafReason reason, std::span<const Stokes<double>> light) {
     RayTreeNode& entry = at(node.id);
-    entry.end = node;
+    entry.end = in_frame_of_light(node);
     entry.reason = reason;
     if (!light.empty()) entry.light = light[place_];
     tree.leaves.push_back(node.id);

@@ -14,8 +14,9 @@
 
 namespace pol {
 
-/// One branch. Directions are those of the backward ray; the light travels the other way. Light is given at the one
-/// wavelength that the tree was recorded for.
+/// One branch. `ray` and `k` are those of the backward ray; the light travels the other way. Field vectors and matrices
+/// are in the frame of the light (in_frame_of_light), and light is given at the one wavelength that the tree was
+/// recorded for.
 struct RayTreeNode {
     int parent = -1;
     Interaction interaction = Interaction::camera;
@@ -27,8 +28,8 @@ struct RayTreeNode {
     double angle = 0.0;                ///< of incidence of the ray where it arrived, radians
     std::optional<LeafReason> reason;  ///< why it ended; none: it branched
     Stokes<double> light{};            ///< its share of the pixel; zero unless brings_light()
-    /// Coherence matrix of the light that arrives at the start of this branch, in start.wave.field (a single mode uses
-    /// xx only), basic radiance times n_camera^2. None on the random tail.
+    /// Coherence matrix of the light that arrives at the start of this branch, in the frame of the light; basic
+    /// radiance times n_camera^2. That of a single mode has xx only: linear along field[0]. None on the random tail.
     std::optional<CoherenceMatrix<double>> arriving;
     Stokes<double> share{};  ///< what this branch and all that grew from it bring to the pixel
     IndexRange children;     ///< indices into RayTree::nodes: siblings are born in a row
@@ -43,6 +44,12 @@ struct RayTree {
     std::vector<RayTreeNode> nodes;  ///< in order of creation: parents before children
     std::vector<int> leaves;         ///< in the order in which they ended: their light adds up to the sample
 };
+
+/// The branch with other signs, so that x = field[0], y = field[1] and k = -ray are right-handed about its light
+/// (CONVENTIONS.md 2, 7): s, p and k of the light at the interface that it comes to at the start of the branch; the
+/// camera's axes before the first interface. The kernel's s and p are right-handed about the backward ray. A single
+/// mode gets a y axis as well; it has no field along it.
+Node in_frame_of_light(Node node);
 
 /// Asked now and then, with the number of branches so far, by work that may take long: false ends it.
 using KeepGoing = std::function<bool(std::size_t branches)>;

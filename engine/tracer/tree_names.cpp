@@ -6,18 +6,23 @@
 
 namespace pol {
 
-const char* name_of(Interaction interaction) {
+const char* name_of(Interaction interaction, bool is_total) {
     switch (interaction) {
         case Interaction::camera:
             return "camera";
         case Interaction::reflected:
-            return "reflected";
+            return is_total ? "totally reflected" : "reflected";
         case Interaction::transmitted:
             return "transmitted";
         case Interaction::sheet:
             return "through sheet";
     }
     return "";
+}
+
+const char* interaction_of(const Plan& plan, const Explanation& explanation, int branch) {
+    return name_of(explanation.tree.nodes[static_cast<std::size_t>(branch)].interaction,
+                   is_total_reflection(plan, explanation, branch));
 }
 
 const char* name_of(LeafReason reason) {
@@ -29,17 +34,88 @@ const char* name_of(LeafReason reason) {
         case LeafReason::absorbed:
             return "absorbed";
         case LeafReason::residual:
-            return "residual (--residual)";
+            return "residual";
         case LeafReason::depth:
-            return "residual (--depth)";
+            return "depth limit";
         case LeafReason::node_budget:
-            return "residual (--node-budget), left to the random tail";
+            return "node budget";
         case LeafReason::tail_limit:
-            return "residual (tail too long)";
+            return "tail limit";
         case LeafReason::failure:
             return "numerical failure";
     }
     return "";
+}
+
+const char* help_of(LeafReason reason) {
+    switch (reason) {
+        case LeafReason::emitter:
+            return "on an emitter, whose light it brings";
+        case LeafReason::background:
+            return "in the background, whose light it brings";
+        case LeafReason::absorbed:
+            return "in or on something that absorbs all and brings no light";
+        case LeafReason::residual:
+            return "the share still open fell below --residual";
+        case LeafReason::depth:
+            return "it met as many interfaces as --depth allows";
+        case LeafReason::node_budget:
+            return "--node-budget was used up, the random tail stands for it";
+        case LeafReason::tail_limit:
+            return "the random tail did not come to an end";
+        case LeafReason::failure:
+            return "a number went bad or a solid leaked: please report it";
+    }
+    return "";
+}
+
+PathKind kind_of(const RayTreeNode& node) {
+    if (node.reason && is_not_followed(*node.reason)) return PathKind::not_followed;
+    if (node.start.wave.kind == WaveKind::ordinary) return PathKind::ordinary;
+    if (node.start.wave.kind == WaveKind::extraordinary) return PathKind::extraordinary;
+    switch (node.interaction) {
+        case Interaction::camera:
+            return PathKind::camera;
+        case Interaction::reflected:
+            return PathKind::reflected;
+        case Interaction::transmitted:
+            return PathKind::transmitted;
+        case Interaction::sheet:
+            return PathKind::sheet;
+    }
+    return PathKind::camera;
+}
+
+const char* name_of(PathKind kind) {
+    switch (kind) {
+        case PathKind::camera:
+            return name_of(Interaction::camera, false);
+        case PathKind::reflected:
+            return name_of(Interaction::reflected, false);
+        case PathKind::transmitted:
+            return name_of(Interaction::transmitted, false);
+        case PathKind::sheet:
+            return name_of(Interaction::sheet, false);
+        case PathKind::ordinary:
+            return "o";
+        case PathKind::extraordinary:
+            return "e";
+        case PathKind::not_followed:
+            return "not followed";
+    }
+    return "";
+}
+
+const char* handedness_of(const Measures<double>& m) {
+    if (std::isnan(m.dop)) return "not a number";
+    if (!m.has_light) return "none";
+    if (!m.has_polarization) return "unpolarized";
+    return m.handedness > 0 ? "right" : m.handedness < 0 ? "left" : "linear";
+}
+
+Measures<double> measure_arriving(const Explanation& explanation, const RayTreeNode& node) {
+    return measure(to_stokes(*node.arriving),
+                   noise_threshold(static_cast<double>(explanation.tree.nodes.size()) + 1.0));
 }
 
 const char* mode_of(const Wave<double>& wave) {
@@ -78,7 +154,7 @@ bool is_total_reflection(const Plan& plan, const Explanation& explanation, int b
     return group.media[medium].dielectric.kind != MediumKind::conductor;
 }
 
-bool is_unresolved(LeafReason reason) {
+bool is_not_followed(LeafReason reason) {
     switch (reason) {
         case LeafReason::emitter:
         case LeafReason::background:

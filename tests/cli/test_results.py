@@ -136,7 +136,12 @@ class Explain(ProgramTest):
             self.assertEqual(int(row["#"]), node["id"])
             self.assertEqual(int(row["parent"]), node["parent"])
             self.assertEqual([float(row[k]) for k in ("k_x", "k_y", "k_z")], node["k"])
-            self.assertEqual([float(row[k]) for k in ("S0", "S1", "S2", "S3")], node["share"])
+            self.assertEqual([float(row[k]) for k in ("share_S0", "share_S1", "share_S2", "share_S3")], node["share"])
+            self.assertEqual((row["interaction"], row["ended"]), (node["interaction"], node.get("ended", "")))
+            self.assertEqual([float(row[k]) for k in ("light_S0", "light_S1", "light_S2", "light_S3")],
+                             node["light"]["stokes"])
+            for axis in ("E1", "E2"):
+                self.assertEqual([float(row[f"{axis}_{k}"]) for k in "xyz"], node["frame"][axis])
             self.assertEqual(float(row["weight"]), node["weight"])
             self.assertEqual((row["medium"], row["mode"]), (node["medium"], node["mode"]))
             self.assertEqual([row[k] == "" for k in "XYZ"], ["point" not in node] * 3)

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "render/render_pass.h"
+#include "support/lit_trees.h"
 #include "support/shipped_scenes.h"
 
 namespace pol {
@@ -73,6 +74,26 @@ objects:
                 ASSERT_EQ(e.leaf_sum, image.at(static_cast<std::size_t>(w), image.pixel(x, 3))) << index << " " << w;
             }
     }
+}
+
+// E1, E2 and the light's direction -ray are right-handed (CONVENTIONS.md 2), and the light in them is that of Fresnel's
+// formulas, of the crystal's modes and of Jones' sheets.
+TEST(Explain, TheLightOnEveryBranchHasTheStateOfTheClosedFormInARightHandedFrame) {
+    test::for_each_lit_branch([](const Plan&, const Explanation& e, int branch, const test::BranchLight& expected) {
+        const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(branch)];
+        const auto& [e1, e2] = node.start.wave.field;
+        EXPECT_NEAR(dot(cross(e1, e2), -node.start.wave.ray), 1.0, test::lit_rounding);
+        test::expect_stokes(test::seen_from(to_stokes(*node.arriving), e1, e2, expected.x), expected.light,
+                            test::lit_rounding);
+    });
+}
+
+// M belongs to the same frame: it takes the light on the branch to what the branch brings to the pixel.
+TEST(Explain, TheMatrixOfABranchTakesItsLightToItsShare) {
+    test::for_each_lit_branch([](const Plan&, const Explanation& e, int branch, const test::BranchLight&) {
+        const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(branch)];
+        test::expect_stokes(node.start.throughput.gather(*node.arriving), node.share, test::lit_rounding);
+    });
 }
 
 }  // namespace

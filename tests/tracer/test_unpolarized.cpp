@@ -91,6 +91,10 @@ TEST_P(UnpolarizedScene, KeepsItsEnergyAndAddsUp) {
         EXPECT_TRUE(found.exact());
         EXPECT_EQ(found.result.failures, 0U);
         EXPECT_EQ(polarized_part(found.sample_light), 0.0);
+        for (const RayTreeNode& node : found.tree.nodes) {
+            if (!node.arriving) continue;
+            EXPECT_EQ(polarized_part(to_stokes(*node.arriving)), 0.0) << "of a mode, too";
+        }
         if (found.result.tail > 0.0) continue;  // what a random path brings is not gathered
         const auto& root = *found.tree.nodes.front().arriving;
         EXPECT_NEAR(root.xx + root.yy, found.sample_light.s0, 1e-12 * (1.0 + found.sample_light.s0));

@@ -2,8 +2,12 @@
 // The list of paths: filters against a walk from every leaf to the camera.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
+#include "support/lit_trees.h"
 #include "support/shipped_scenes.h"
 #include "tracer/tree_names.h"
+#include "viewer/branch_sheet.h"
 #include "viewer/path_list.h"
 
 namespace pol {
@@ -89,11 +93,11 @@ TEST(PathList, FiltersAgreeWithAWalkToTheCamera) {
                         }));
         }
         filter = {};
-        filter.unresolved = true;
+        filter.not_followed = true;
         list.set_filter(filter);
         double unresolved = 0.0;
         for (const int leaf : tree.explanation->tree.leaves)
-            if (is_unresolved(*tree.node(leaf).reason) && !tree.node(leaf).estimated)
+            if (is_not_followed(*tree.node(leaf).reason) && !tree.node(leaf).estimated)
                 unresolved += tree.node(leaf).end.weight;
         EXPECT_LE(unresolved, list.shown().weight * (1.0 + 1e-12));
         EXPECT_EQ(list.shown().s0, 0.0) << "what was not followed to a source brings no light";
@@ -182,6 +186,82 @@ TEST(TotalReflection, IsFoundInTheRhombAndNotAtMetal) {
     const Tree metal = tree_of("metal-spheres", 0.5, 0.55);
     ASSERT_GT(metal.explanation->tree.nodes.size(), 1U) << "the ray must meet a sphere";
     EXPECT_EQ(count(metal), 0);
+}
+
+/// What a copy of the row `name` says.
+std::string copied(const SheetGroup& sheet, const std::string& name) {
+    for (const SheetRow& row : sheet.rows)
+        if (row.name == name) return row.exact;
+    ADD_FAILURE() << "no row " << name;
+    return {};
+}
+
+double number_of(const SheetGroup& sheet, const std::string& name) {
+    return std::stod(copied(sheet, name));
+}
+
+DVec3 vector_of(const SheetGroup& sheet, const std::string& name) {
+    DVec3 v(0.0);
+    EXPECT_EQ(std::sscanf(copied(sheet, name).c_str(), "(%lf, %lf, %lf)", &v.x, &v.y, &v.z), 3) << name;
+    return v;
+}
+
+Complex<double> complex_of(const SheetGroup& sheet, const std::string& name) {
+    Complex<double> z;
+    char sign = '+';
+    EXPECT_EQ(std::sscanf(copied(sheet, name).c_str(), "%lf %c %lf", &z.re, &sign, &z.im), 3) << name;
+    if (sign == '-') z.im = -z.im;
+    return z;
+}
+
+TEST(BranchSheet, HasTheLightOfTheClosedFormInARightHandedFrame) {
+    test::for_each_lit_branch(
+        [](const Plan& plan, const Explanation& e, int branch, const test::BranchLight& expected) {
+            const SheetGroup sheet = make_branch_sheet(plan, e, branch);
+            const DVec3 e1 = vector_of(sheet, "E1");
+            const DVec3 e2 = vector_of(sheet, "E2");
+            EXPECT_EQ(vector_of(sheet, "E1 x E2"), -vector_of(sheet, "ray"));
+            EXPECT_NEAR(dot(cross(e1, e2), vector_of(sheet, "E1 x E2")), 1.0, test::lit_rounding);
+            const Stokes<double> light{number_of(sheet, "light S0"), number_of(sheet, "light S1"),
+                                       number_of(sheet, "light S2"), number_of(sheet, "light S3")};
+            test::expect_stokes(test::seen_from(light, e1, e2, expected.x), expected.light, test::lit_rounding);
+            const CoherenceMatrix<double> j{number_of(sheet, "light J11"), number_of(sheet, "light J22"),
+                                            complex_of(sheet, "light J12")};
+            test::expect_stokes(to_stokes(j), light, test::eps);
+            const double s3 = expected.light.s3;
+            const std::string hand = copied(sheet, "light is");
+            EXPECT_EQ(hand == "right", s3 > 1e-12) << hand;
+            EXPECT_EQ(hand == "left", s3 < -1e-12) << hand;
+            Throughput<double> m;
+            m.m[0][0] = complex_of(sheet, "M x1");
+            m.m[1][0] = complex_of(sheet, "M y1");
+            if (e.tree.nodes[static_cast<std::size_t>(branch)].start.wave.kind == WaveKind::pair) {
+                m.m[0][1] = complex_of(sheet, "M x2");
+                m.m[1][1] = complex_of(sheet, "M y2");
+            }
+            test::expect_stokes(m.gather(j),
+                                {number_of(sheet, "share S0"), number_of(sheet, "share S1"),
+                                 number_of(sheet, "share S2"), number_of(sheet, "share S3")},
+                                test::lit_rounding);
+        });
+}
+
+TEST(BranchSheet, CallsATotalReflectionAndAnEndAsExplainDoes) {
+    const Tree rhomb = tree_of("fresnel-rhomb", 0.5, 0.5);
+    int total = 0;
+    for (int i = 0; i < static_cast<int>(rhomb.explanation->tree.nodes.size()); ++i) {
+        const SheetGroup sheet = make_branch_sheet(*rhomb.plan, *rhomb.explanation, i);
+        const std::string word = interaction_of(*rhomb.plan, *rhomb.explanation, i);
+        EXPECT_EQ(copied(sheet, "interaction").substr(0, word.size()), word);
+        total += word == "totally reflected" ? 1 : 0;
+        const auto& reason = rhomb.node(i).reason;
+        if (!reason) continue;
+        EXPECT_EQ(copied(sheet, "ended"), name_of(*reason));
+        if (is_not_followed(*reason)) {
+            EXPECT_EQ(branch_end(*rhomb.plan, *rhomb.explanation, i), name_of(*reason));
+        }
+    }
+    EXPECT_GE(total, 2) << "a rhomb reflects totally twice";
 }
 
 }  // namespace

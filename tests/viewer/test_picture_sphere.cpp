@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "known_picture.h"
+#include "support/lit_trees.h"
 #include "viewer/panels/sphere_panel.h"
 #include "viewer/sphere_view.h"
 #include "window_without_gl.h"
@@ -112,6 +113,21 @@ TEST(SpherePanel, ALassoMarksPixelsOfThePicture) {
     const auto count = std::count(marked.begin(), marked.end(), true);
     EXPECT_GT(count, 10);
     EXPECT_LT(count, 150);
+}
+
+// In the pixel's frame: the only leaf with light is the pixel, whose closed form is that of the camera's branch.
+TEST(Sphere, ALeafIsWhereItsShareOfThePixelIs) {
+    test::for_each_lit_branch([](const Plan&, const Explanation& e, int branch, const test::BranchLight& expected) {
+        if (branch != 0) return;
+        const std::vector<SpherePoint> points = sphere_points(e, Bench{}, 100);
+        if (expected.light.s0 < 1e-12) return;  // a share of rounding is somewhere on the sphere
+        ASSERT_EQ(points.size(), 1U);
+        EXPECT_TRUE(e.tree.nodes[static_cast<std::size_t>(*points[0].node)].brings_light());
+        const Stokes<double> in_pixel = test::seen_from({1.0, points[0].place.x, points[0].place.y, points[0].place.z},
+                                                        e.task.ray.x, e.task.ray.y, expected.x);
+        // Divided by S0, of which reflection leaves 0.1 % at the least.
+        test::expect_stokes((expected.light.s0) * in_pixel, expected.light, test::lit_rounding);
+    });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "geometry/shapes.h"
 #include "io/scene_file.h"
 #include "plan/compile.h"
+#include "support/lit_trees.h"
 #include "viewer/space_paths.h"
 #include "viewer/space_view.h"
 #include "viewer/space_wireframe.h"
@@ -215,6 +216,33 @@ TEST(FieldFigure, LiesAlongTheAzimuthOfLinearLightAndVanishesWithoutPolarization
     ASSERT_TRUE(natural);
     EXPECT_TRUE(natural->tips.empty());
     EXPECT_FALSE(field_figure(RayTreeNode{}, {}, 0.5)) << "light that is not known";
+}
+
+// The tips are Re[v exp(-i omega t)]: v is their first Fourier coefficient, v v^H the polarized part of the light,
+// whose power is its share of S0.
+TEST(FieldFigure, IsTheEllipseOfTheClosedFormOnEveryBranch) {
+    constexpr double radius = 0.5;
+    test::for_each_lit_branch([](const Plan&, const Explanation& e, int branch, const test::BranchLight& expected) {
+        const RayTreeNode& node = e.tree.nodes[static_cast<std::size_t>(branch)];
+        const auto figure = field_figure(node, {node.start.origin, node.start.origin + node.start.wave.ray}, radius);
+        ASSERT_EQ(figure.has_value(), expected.light.s0 > 1e-12);
+        if (!figure) return;
+        const DVec3 k = -node.start.wave.ray;
+        const DVec3 y = cross(k, expected.x);
+        JonesVector<double> v;
+        const auto count = static_cast<double>(figure->tips.size());
+        for (std::size_t i = 0; i < figure->tips.size(); ++i) {
+            const DVec3 tip = (figure->tips[i] - figure->center) / radius;
+            EXPECT_NEAR(dot(tip, k), 0.0, test::lit_rounding) << "across the light";
+            const Complex<double> phase = unit_phase(2.0 * pi * static_cast<double>(i) / count);
+            v.x += (2.0 / count * dot(tip, expected.x)) * phase;
+            v.y += (2.0 / count * dot(tip, y)) * phase;
+        }
+        const Stokes<double> share = (1.0 / expected.light.s0) * expected.light;
+        // Of light near a pole of the figure's formula, sqrt(p +- s1), half of the digits are left.
+        test::expect_stokes(to_stokes(CoherenceMatrix<double>::outer(v)),
+                            {polarized_part(share), share.s1, share.s2, share.s3}, 1e-7);
+    });
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ void PathsPanel::draw_controls(Session& session) {
     check("total reflection", filter.total_reflection, "Paths with at least one total reflection");
     check("share above 1 %", filter.bright, "Paths that bring at least 1 % of the pixel's S0");
     ImGui::SameLine();
-    check("unresolved", filter.unresolved, "Paths that were not followed to a source of light");
+    check("not followed", filter.not_followed, "Paths that were not followed to their end: it says why instead");
     choose_body(*session.current()->plan(), filter.body);
     list_.set_filter(filter);
     if (ImGui::SmallButton("Open all")) list_.open_all(true);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "viewer/branch_sheet.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {
@@ -19,14 +20,14 @@ constexpr std::size_t most_segments = 3000;
 constexpr double reach = 6.0;  ///< points around the cursor in which a click finds a branch
 
 /// Okabe & Ito, "Color universal design", 2008: told apart without color vision.
-constexpr std::array<ImU32, path_kind_count> kind_colors{
+constexpr std::array<ImU32, all_path_kinds.size()> kind_colors{
     IM_COL32(128, 128, 128, 255),  // camera
     IM_COL32(213, 94, 0, 255),     // reflected
-    IM_COL32(86, 180, 233, 255),   // refracted
+    IM_COL32(86, 180, 233, 255),   // transmitted
     IM_COL32(0, 158, 115, 255),    // sheet
     IM_COL32(0, 114, 178, 255),    // ordinary
     IM_COL32(230, 159, 0, 255),    // extraordinary
-    IM_COL32(204, 121, 167, 255),  // lost
+    IM_COL32(204, 121, 167, 255),  // not followed
 };
 
 ImU32 color_of(PathKind kind) {
@@ -161,8 +162,10 @@ void SpacePanel::select(Session& session) {
     if (!node || ImGui::IsAnyMouseDown()) return;
     const RayTreeNode& branch = explanation_->tree.nodes[static_cast<std::size_t>(*node)];
     const bool met_something = branch.arrived && branch.crossing.body >= 0;
-    ImGui::SetTooltip("branch %d: %s, weight %.3g\nmeets %s", *node, std::string(name_of(kind_of(branch))).c_str(),
-                      branch.start.weight, met_something ? plan_->body_name(branch.crossing.body).c_str() : "nothing");
+    const std::string title =
+        branch_title(*plan_, *explanation_, *node, is_total_reflection(*plan_, *explanation_, *node));
+    ImGui::SetTooltip("branch %d: %s, weight %.3g\nmeets %s", *node, title.c_str(), branch.start.weight,
+                      met_something ? plan_->body_name(branch.crossing.body).c_str() : "nothing");
 }
 
 void SpacePanel::draw_bodies() {
@@ -307,15 +310,14 @@ void SpacePanel::draw_legend(const Session& session) {
             ImGui::TextDisabled("%s", status.problem.empty() ? "cancelled" : status.problem.c_str());
         return;
     }
-    std::array<bool, path_kind_count> present{};
+    std::array<bool, all_path_kinds.size()> present{};
     for (const PathSegment& segment : segments_) present[static_cast<std::size_t>(segment.kind)] = true;
     bool first = true;
-    for (std::size_t i = 0; i < path_kind_count; ++i) {
-        if (!present[i]) continue;
+    for (const PathKind kind : all_path_kinds) {
+        if (!present[static_cast<std::size_t>(kind)]) continue;
         if (!first) ImGui::SameLine();
         first = false;
-        const auto kind = static_cast<PathKind>(i);
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(kind)), "%s", std::string(name_of(kind)).c_str());
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(kind)), "%s", name_of(kind));
     }
     const std::size_t all = explanation_->tree.nodes.size();
     if (all > segments_.size()) ImGui::TextDisabled("the heaviest %zu of %zu branches", segments_.size(), all);

@@ -135,7 +135,7 @@ void SpherePanel::choose_source(Session& session) {
         "The pixels of the region (Shift and drag in the picture), or of the whole picture, at the shown wavelength.");
     ImGui::SameLine();
     ImGui::RadioButton("leaves", &source, static_cast<int>(Source::leaves));
-    tooltip("The light that each branch of the pinned pixel's tree brings.");
+    tooltip("What each leaf of the pinned pixel's tree brings to the pixel, in the pixel's frame.");
     source_ = static_cast<Source>(source);
     ImGui::SameLine();
     ImGui::Checkbox("front", &front_only_);
@@ -165,19 +165,7 @@ std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
         return found;
     }
     const auto explanation = session.explanation();
-    if (!explanation) return found;
-    for (const int leaf : explanation->tree.leaves) {
-        const RayTreeNode& node = explanation->tree.nodes[static_cast<std::size_t>(leaf)];
-        if (!node.brings_light()) continue;
-        const Stokes<double> light = session.bench.empty() ? node.light : session.bench.mueller() * node.light;
-        auto point = sphere_point(light);
-        if (!point) continue;
-        point->wavelength = static_cast<std::size_t>(explanation->wavelength);
-        point->node = leaf;
-        found.push_back(*point);
-        if (found.size() == most_points) break;
-    }
-    return found;
+    return explanation ? sphere_points(*explanation, session.bench, most_points) : found;
 }
 
 void SpherePanel::handle_mouse(Session& session, const DVec2& center, double radius) {
