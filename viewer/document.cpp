@@ -284,9 +284,10 @@ Result<Done> Document::redo() {
 
 Result<Done> Document::save(const std::filesystem::path& path) {
     POL_EXPECTS(has_scene());
-    if (auto written = write_file(path, save_scene(scene())); !written) return written;
     std::error_code unknown_folder;
-    path_ = std::filesystem::absolute(path, unknown_folder).lexically_normal();
+    const std::filesystem::path file = std::filesystem::absolute(path, unknown_folder).lexically_normal();
+    if (auto written = write_file(file, save_scene(scene(), file.parent_path())); !written) return written;
+    path_ = file;
     name_ = path_.filename().string();
     problem_.reset();
     history_.mark_saved();

@@ -59,8 +59,10 @@ void save_pixel_case(Session& session) {
         return;
     }
     const auto path = path_for_pixel(session, ".case.yaml");
-    session.exports.start("pixel case", path, [pixel_case = std::move(pixel_case), path](ExportProgress&) {
-        return write_file(path, save_pixel_case(pixel_case));
+    std::error_code unknown_folder;
+    const auto folder = std::filesystem::absolute(path, unknown_folder).parent_path();
+    session.exports.start("pixel case", path, [pixel_case = std::move(pixel_case), path, folder](ExportProgress&) {
+        return write_file(path, save_pixel_case(pixel_case, folder));
     });
 }
 

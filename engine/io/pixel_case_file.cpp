@@ -76,7 +76,7 @@ Result<PixelCase> load_pixel_case(const std::filesystem::path& path) {
     return result;
 }
 
-std::string save_pixel_case(const PixelCase& c) {
+std::string save_pixel_case(const PixelCase& c, const std::filesystem::path& folder) {
     const auto text = [](double value) {
         POL_EXPECTS(std::isfinite(value));
         return number_text(value);
@@ -87,7 +87,7 @@ std::string save_pixel_case(const PixelCase& c) {
                "{}\n---\n",
                c.x, c.y, c.sample, text(c.wavelength_nm), text(c.expected.xx), text(c.expected.yy),
                text(c.expected.xy.re), text(c.expected.xy.im), text(c.tolerance)) +
-           save_scene(c.scene);
+           save_scene(c.scene, folder);
 }
 
 }  // namespace pol

@@ -27,7 +27,8 @@ struct PixelCase {
 /// load_scene, with lines of the case file.
 Result<PixelCase> load_pixel_case(const std::filesystem::path& path);
 
-/// Text that loads back to the same case, bit for bit. Requires: finite numbers.
-std::string save_pixel_case(const PixelCase& pixel_case);
+/// Text that loads back to the same case, bit for bit, from a file in `folder`, which names its meshes and textures as
+/// save_scene does. Requires: finite numbers.
+std::string save_pixel_case(const PixelCase& pixel_case, const std::filesystem::path& folder);
 
 }  // namespace pol

@@ -23,4 +23,8 @@ Result<Scene> parse_scene(const std::string& text, const std::string& file_name,
 /// record is named if reading it gives the same index, else written out.
 std::string save_scene(const Scene& scene);
 
+/// The same for a file in `folder` (absolute): its meshes and textures are named as seen from there, and what ships
+/// with the program by its name in the assets, so that the file can go to another place together with them.
+std::string save_scene(Scene scene, const std::filesystem::path& folder);
+
 }  // namespace pol

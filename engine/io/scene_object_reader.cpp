@@ -190,7 +190,11 @@ std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& fol
     for (const auto& folder : {folders.scene, folders.assets / kind, folders.assets}) {
         std::error_code error;
         const std::filesystem::path path = std::filesystem::absolute(folder / name, error);
-        if (!error && std::filesystem::is_regular_file(path, error)) return path.lexically_normal();
+        if (!error && std::filesystem::is_regular_file(path, error)) {
+            // Behind a link to a folder, ".." is not the part before it.
+            const std::filesystem::path plain = path.lexically_normal();
+            return std::filesystem::equivalent(path, plain, error) ? plain : path;
+        }
         if (name.is_absolute()) break;
     }
     value.fail("there is no file '" + name.string() + "'",

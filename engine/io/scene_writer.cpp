@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/number_text.h"
@@ -13,6 +17,8 @@
 
 namespace pol {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Degrees if they read back as the same radians, else radians.
 std::string angle_text(double angle_rad) {
@@ -234,7 +240,29 @@ std::string render_text(const RenderSettings& render) {
     return text;
 }
 
+/// How a scene file in `folder` names `file` so that find_asset() finds it there: `kind` as there.
+std::string name_from(const fs::path& folder, const std::string& file, const std::string& kind) {
+    std::error_code failed;
+    for (const fs::path& shipped : {assets_dir() / kind, assets_dir()}) {
+        const fs::path name = fs::relative(file, shipped, failed);
+        const bool inside = !failed && !name.empty() && *name.begin() != "..";
+        if (inside && !fs::exists(folder / name, failed)) return name.generic_string();
+    }
+    const fs::path name = fs::relative(file, folder, failed);
+    return failed || name.empty() ? file : name.generic_string();
+}
+
 }  // namespace
+
+std::string save_scene(Scene scene, const fs::path& folder) {
+    for (Object& object : scene.objects) {
+        if (auto* mesh = std::get_if<MeshShape>(&object.shape)) mesh->path = name_from(folder, mesh->path, "scenes");
+        auto* emission = std::get_if<Emission>(&object.role);
+        auto* textured = emission != nullptr ? std::get_if<TexturedRadiance>(&emission->radiance) : nullptr;
+        if (textured != nullptr) textured->path = name_from(folder, textured->path, "textures");
+    }
+    return save_scene(scene);
+}
 
 std::string save_scene(const Scene& scene) {
     std::string text;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "io/exr_file.h"
+#include "io/pixel_case_file.h"
 #include "io/scene_file.h"
 #include "io/scene_hash.h"
 #include "support/render_scene.h"
@@ -290,6 +294,93 @@ TEST(Document, NoTwoDocumentsShareALayoutNumber) {
     scene.render.wavelengths_nm = {550.0};
     ASSERT_TRUE(a->edit(scene, "wavelengths"));
     EXPECT_NE(a->picture_layout(), layout);
+}
+
+/// A project folder with a scene in scenes/ that uses a mesh and a texture of the project and a texture that ships.
+void write_project(const std::filesystem::path& project) {
+    for (const char* folder : {"scenes", "meshes", "textures", "out"})
+        std::filesystem::create_directories(project / folder);
+    test::write_text(project / "meshes/tip.obj",
+                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    std::filesystem::copy_file(POL_ASSETS "/textures/test-card.png", project / "textures/own card.png");
+    test::write_text(project / "scenes/scene.yaml",
+                     "camera: {position: [0.2, 0.2, 5], target: [0.2, 0.2, 0], up: [0, 1, 0], fov: 30}\n"
+                     "render: {size: [4, 4]}\nmedia: {glass: 1.5}\nobjects:\n"
+                     "  - {name: tip, shape: {mesh: {file: ../meshes/tip.obj}}, medium: glass}\n"
+                     "  - {name: own, shape: {rectangle: {size: 1}}, transform: [{translate: [0, 0, -1]}], emission: "
+                     "{radiance: {texture: ../textures/own card.png}}}\n"
+                     "  - {name: shipped, shape: {rectangle: {size: 3}}, transform: [{translate: [0, 0, -2]}], "
+                     "emission: {radiance: {texture: test-card.png}}}\n");
+}
+
+/// What a project is after it was given away: nothing is left where it was.
+std::filesystem::path moved(const std::filesystem::path& project) {
+    const std::filesystem::path there = project.parent_path() / "given away";
+    std::filesystem::rename(project, there);
+    return there;
+}
+
+std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TEST(Document, SavesASceneThatMovesWithItsMeshesAndTextures) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path project = folder / "project";
+    write_project(project);
+    const auto document = opened(project / "scenes/scene.yaml");
+    const std::string hash = scene_hash(document->scene());
+    ASSERT_TRUE(document->save(project / "out/saved.yaml"));
+    const std::string text = content_of(project / "out/saved.yaml");
+    for (const char* name : {"\"../meshes/tip.obj\"", "\"../textures/own card.png\"", "\"test-card.png\""})
+        EXPECT_NE(text.find(name), std::string::npos) << name << "\n" << text;
+    const auto there = load_scene(moved(project) / "out/saved.yaml");
+    ASSERT_TRUE(there) << to_string(there.error());
+    EXPECT_EQ(scene_hash(there.value()), hash);
+}
+
+// A file of the user's own that has the name of one that ships is found first: the shipped one then needs its path.
+TEST(Document, SavesTheShippedTextureEvenBesideAnotherOneOfItsName) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path project = folder / "project";
+    write_project(project);
+    const auto scene = load_scene(project / "scenes/scene.yaml");
+    ASSERT_TRUE(scene);
+    test::write_text(project / "out/test-card.png", "no picture");
+    test::write_text(project / "out/saved.yaml", save_scene(scene.value(), project / "out"));
+    const auto again = load_scene(project / "out/saved.yaml");
+    ASSERT_TRUE(again) << to_string(again.error());
+    EXPECT_EQ(scene_hash(again.value()), scene_hash(scene.value()));
+}
+
+// Behind a link, ".." leads out of the folder that it points to.
+TEST(Document, SavesThroughALinkToAFolder) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path project = folder / "project";
+    write_project(project);
+    const auto scene = load_scene(project / "scenes/scene.yaml");
+    ASSERT_TRUE(scene);
+    std::filesystem::create_directories(folder / "deep/er/est");
+    std::filesystem::create_directory_symlink(folder / "deep/er/est", project / "link");
+    test::write_text(project / "link/saved.yaml", save_scene(scene.value(), project / "link"));
+    const auto again = load_scene(project / "link/saved.yaml");
+    ASSERT_TRUE(again) << to_string(again.error());
+    EXPECT_EQ(scene_hash(again.value()), scene_hash(scene.value()));
+}
+
+TEST(PixelCase, MovesWithItsMeshesAndTextures) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path project = folder / "project";
+    write_project(project);
+    PixelCase pixel_case;
+    pixel_case.wavelength_nm = 580.0;
+    pixel_case.scene = load_scene(project / "scenes/scene.yaml").value();
+    test::write_text(project / "out/pixel.case.yaml", save_pixel_case(pixel_case, project / "out"));
+    EXPECT_EQ(content_of(project / "out/pixel.case.yaml").find(project.string()), std::string::npos);
+    const auto there = load_pixel_case(moved(project) / "out/pixel.case.yaml");
+    ASSERT_TRUE(there) << to_string(there.error());
+    EXPECT_EQ(scene_hash(there.value().scene), scene_hash(pixel_case.scene));
 }
 
 }  // namespace
