@@ -131,6 +131,7 @@ bool Session::adopt(Result<std::unique_ptr<Document>> document) {
     }
     documents_.push_back(std::move(document).value());
     current_ = static_cast<int>(documents_.size()) - 1;
+    fit_wavelength();
     return true;
 }
 
@@ -139,6 +140,7 @@ void Session::close_document() {
     if (current() == reference_) reference_ = nullptr;
     documents_.erase(documents_.begin() + current_);
     current_ = documents_.empty() ? -1 : std::max(0, current_ - 1);
+    fit_wavelength();
 }
 
 Document* Session::current() const {
@@ -149,6 +151,7 @@ void Session::step_document(int by) {
     if (documents_.empty()) return;
     const int count = static_cast<int>(documents_.size());
     current_ = ((current_ + by) % count + count) % count;
+    fit_wavelength();
 }
 
 bool Session::logged(const Result<Done>& result) {
@@ -251,6 +254,19 @@ void Session::follow_files() {
     }
 }
 
+/// Another picture may count its wavelengths otherwise: it is shown at the wavelength nearest to the one that was
+/// chosen last, or to the default if none was.
+void Session::fit_wavelength() {
+    if (current() == nullptr) return;
+    const std::vector<double>& known = current()->picture().wavelengths_nm;
+    if (known == wavelengths_nm_) return;
+    const bool was_chosen =
+        !wavelengths_nm_.empty() && view.wavelength != nearest_wavelength(wavelengths_nm_, wanted_nm_);
+    if (was_chosen) wanted_nm_ = wavelengths_nm_[std::min(view.wavelength, wavelengths_nm_.size() - 1)];
+    wavelengths_nm_ = known;
+    view.wavelength = nearest_wavelength(known, wanted_nm_);
+}
+
 /// The picture on screen may be another one, of another size, than that which the user pointed at.
 void Session::fit_selection() {
     const Document* document = current();
@@ -259,7 +275,7 @@ void Session::fit_selection() {
         return;
     }
     const StokesImage& picture = document->picture();
-    view.wavelength = std::min(view.wavelength, picture.wavelengths_nm.size() - 1);
+    fit_wavelength();
     const auto outside = [&](PixelAddress pixel) { return pixel.x >= picture.width || pixel.y >= picture.height; };
     if (selection.hovered && outside(*selection.hovered)) selection.hovered.reset();
     if (selection.marked.size() != picture.pixel_count()) selection.marked.clear();

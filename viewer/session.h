@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "spectrum/wavelength_grid.h"
 #include "viewer/bench.h"
 #include "viewer/document.h"
 #include "viewer/explanation.h"
@@ -82,7 +83,7 @@ public:
     /// Takes over all that workers have finished of what is on screen: before it leaves the window.
     void catch_up();
 
-    /// Shows another map; a wavelength that the picture does not have is set to the nearest it has.
+    /// Shows another map.
     void show(Quantity quantity) { view.quantity = quantity; }
 
     /// Pins a pixel of the current picture and makes it the current pin. Outside the picture: does nothing.
@@ -121,12 +122,15 @@ private:
     bool open_twin(Scene scene, const std::string& kind, const std::string& what_it_is);
     bool logged(const Result<Done>& result);
     void follow_files();
+    void fit_wavelength();
     void fit_selection();
 
     std::function<void()> wake_;
     std::vector<std::unique_ptr<Document>> documents_;
     int current_ = -1;
     Document* reference_ = nullptr;
+    std::vector<double> wavelengths_nm_;  ///< that ViewSettings::wavelength counts
+    double wanted_nm_ = default_wavelength_nm;
     ExplanationJob explanation_;
 };
 

@@ -15,6 +15,7 @@
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "io/output_file.h"
+#include "spectrum/wavelength_grid.h"
 #include "tracer/explain.h"
 #include "verify/pixel_case.h"
 
@@ -36,13 +37,11 @@ struct ExplainRequest {
 
 constexpr int self_check_failed = 5;
 
-/// The plan's wavelength that was asked for; without one 580 nm, the paper's, or the first.
+/// Index of the plan's wavelength that was asked for, or of the default one.
 Result<int> wavelength_index(const Plan& plan, std::optional<double> asked_nm) {
-    constexpr double default_nm = 580.0;
     constexpr double same_nm = 1e-6;
-    for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w)
-        if (std::abs(plan.wavelengths_nm[w] - asked_nm.value_or(default_nm)) <= same_nm) return static_cast<int>(w);
-    if (!asked_nm) return 0;
+    const std::size_t nearest = nearest_wavelength(plan.wavelengths_nm, asked_nm.value_or(default_wavelength_nm));
+    if (!asked_nm || std::abs(plan.wavelengths_nm[nearest] - *asked_nm) <= same_nm) return static_cast<int>(nearest);
     return Error{ErrorKind::usage,
                  fmt::format("{} nm is not among the scene's wavelengths", *asked_nm),
                  {},
@@ -153,7 +152,7 @@ void add_explain_command(CLI::App& app, int& exit_code) {
         ->expected(2);
     command->add_option("--sample", request->sample, "Sample of the pixel; 0 is its centre");
     command->add_option("--wavelength", request->wavelength_nm,
-                        "Which of the wavelengths, in nm (default 580, or the first)");
+                        "Which of the wavelengths, in nm (default: the one nearest to 580)");
     command->add_option("--least", request->least_share, "Leave out branches of less than this weight (text only)")
         ->capture_default_str();
     command->add_flag("--json", request->json, "Print JSON with every branch at full precision");

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -24,6 +23,7 @@
 #include "io/png_file.h"
 #include "maps/colorize.h"
 #include "maps/quantity.h"
+#include "spectrum/wavelength_grid.h"
 
 namespace pol {
 namespace {
@@ -80,22 +80,18 @@ Result<MapOptions> wanted_options(const Request& request) {
     return options;
 }
 
-/// The paper's wavelength, unless the user asks for another one: index of the plane nearest to it.
+/// Index of the plane that the user asks for, or of the default one.
 Result<std::size_t> wanted_wavelength(const StokesImage& image, std::optional<double> asked_nm) {
-    constexpr double default_nm = 580.0;
     constexpr double same_nm = 1e-3;
-    const double target = asked_nm.value_or(default_nm);
     const std::vector<double>& known = image.wavelengths_nm;
-    const auto nearest = std::min_element(known.begin(), known.end(), [target](double a, double b) {
-        return std::abs(a - target) < std::abs(b - target);
-    });
-    if (asked_nm && !(std::abs(*nearest - target) <= same_nm)) {
+    const std::size_t nearest = nearest_wavelength(known, asked_nm.value_or(default_wavelength_nm));
+    if (asked_nm && !(std::abs(known[nearest] - *asked_nm) <= same_nm)) {
         std::string list;
         for (const double nm : known) list += fmt::format("{}{}", list.empty() ? "" : ", ", nm);
-        return usage_error("--wavelength", fmt::format("the picture has no plane at {} nm", target),
+        return usage_error("--wavelength", fmt::format("the picture has no plane at {} nm", *asked_nm),
                            fmt::format("it has {} nm", list));
     }
-    return static_cast<std::size_t>(nearest - known.begin());
+    return nearest;
 }
 
 std::string caption_of(const StokesImage& image, const fs::path& input) {

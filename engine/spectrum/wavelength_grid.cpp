@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spectrum/wavelength_grid.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
 
+#include "core/contract.h"
 #include "core/number_text.h"
 
 namespace pol {
@@ -66,6 +68,13 @@ Result<std::vector<double>> expand_range(double first, double last, double step)
 }
 
 }  // namespace
+
+std::size_t nearest_wavelength(const std::vector<double>& wavelengths_nm, double nm) {
+    POL_EXPECTS(!wavelengths_nm.empty());
+    const auto nearest = std::min_element(wavelengths_nm.begin(), wavelengths_nm.end(),
+                                          [nm](double a, double b) { return std::abs(a - nm) < std::abs(b - nm); });
+    return static_cast<std::size_t>(nearest - wavelengths_nm.begin());
+}
 
 Result<std::vector<double>> checked_wavelengths(std::vector<double> wavelengths_nm) {
     if (wavelengths_nm.empty()) return usage_error("no wavelength given");

@@ -12,6 +12,12 @@ namespace pol {
 
 constexpr std::size_t max_wavelength_count = 4096;
 
+/// Which of a picture's wavelengths is shown unless another one is asked for: the one nearest to this, the paper's.
+constexpr double default_wavelength_nm = 580.0;
+
+/// Index of the wavelength nearest to `nm`, the first of two that are equally near. Requires: there is one.
+std::size_t nearest_wavelength(const std::vector<double>& wavelengths_nm, double nm);
+
 /// `wavelengths_nm` itself if it is a list to render at: not empty, at most max_wavelength_count, each positive and
 /// finite, strictly ascending. Error (kind usage) otherwise.
 Result<std::vector<double>> checked_wavelengths(std::vector<double> wavelengths_nm);

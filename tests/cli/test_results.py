@@ -125,6 +125,16 @@ class Explain(ProgramTest):
             self.assertIn(word, text)
 
 
+    def test_without_a_wavelength_the_one_nearest_to_580_is_explained_and_mapped(self):
+        for wavelengths, nearest in (("380:780:20", 580), ("450,550,650", 550), ("650,700", 650)):
+            tree = json.loads(self.succeed("explain", GLASS, "--pixel", "1,1", "--size", "4x4", "--wavelengths", wavelengths,
+                                           "--json"))
+            self.assertEqual(tree["wavelength_nm"], nearest)
+            self.succeed("render", GLASS, "-o", "in.exr", "--size", "4x4", "--wavelengths", wavelengths, "--quiet")
+            self.succeed("maps", "in.exr", "--map", "dop", "-o", "a.png")
+            self.succeed("maps", "in.exr", "--map", "dop", "-o", "b.png", "--wavelength", nearest)
+            self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
     def test_ray_states_are_those_of_the_json_tree(self):
         scene = SCENES / "cube-calcite.yaml"
         tree = json.loads(self.succeed("explain", scene, "--pixel", "256,200", "--json", "--csv", "rays.csv", "--obj",

@@ -65,6 +65,13 @@ TEST(WavelengthGrid, RefusesWhatIsNoListOfWavelengths) {
     }
 }
 
+TEST(WavelengthGrid, TheNearestWavelengthIsTheFirstOfTwoThatAreEquallyNear) {
+    EXPECT_EQ(nearest_wavelength(parse_wavelengths("380:780:20").value(), 580.0), 10u);
+    EXPECT_EQ(nearest_wavelength({450.0, 570.0, 590.0, 650.0}, 580.0), 1u);
+    EXPECT_EQ(nearest_wavelength({1064.0, 1550.0}, 580.0), 0u);
+    EXPECT_EQ(nearest_wavelength({450.0, 550.0}, 1e9), 1u);
+}
+
 TEST(WavelengthGrid, HoldsAtMost4096Wavelengths) {
     EXPECT_EQ(parse_wavelengths("1:4096:1").value().size(), 4096u);
     EXPECT_FALSE(parse_wavelengths("1:4097:1"));

@@ -15,12 +15,14 @@
 
 namespace pol {
 
-/// Pictures of the tests are read back from 32-bit floats: compare with what the session holds, not with `image`.
+/// Pictures of the tests are read back from 32-bit floats: compare with what the session holds, not with `image`. Its
+/// first wavelength is shown.
 inline void open_picture(Session& session, const StokesImage& image) {
     const auto path =
         std::filesystem::temp_directory_path() / ("polariscope_known_" + std::to_string(getpid()) + ".exr");
     ASSERT_TRUE(write_exr(image, path));
     ASSERT_TRUE(session.open(path));
+    session.view.wavelength = 0;
     std::filesystem::remove(path);
 }
 

@@ -157,8 +157,8 @@ TEST_F(Picture, MinusAReferenceEqualsTheColoredDifferenceOfTheMaps) {
         session_.view.difference = true;
         ASSERT_TRUE(session_.comparison());
         session_.finish_shown_map();
-        const auto a = evaluate(film(), quantity, 0);
-        const auto b = evaluate(session_.reference()->picture(), quantity, 0);
+        const auto a = evaluate(film(), quantity, session_.view.wavelength);
+        const auto b = evaluate(session_.reference()->picture(), quantity, session_.view.wavelength);
         Map map = a.value();
         map.is_difference = true;
         for (std::size_t i = 0; i < map.pixels.size(); ++i)

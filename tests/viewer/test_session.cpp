@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "support/render_scene.h"
 #include "viewer/bench.h"
+#include "viewer/session.h"
 #include "viewer/view_transform.h"
 
 namespace pol {
@@ -28,6 +30,48 @@ TEST(ViewTransform, ThePointUnderTheCursorStaysWhileZooming) {
     const DVec2 after = view.picture_from_view(cursor);
     EXPECT_NEAR(before.x, after.x, 1e-12);
     EXPECT_NEAR(before.y, after.y, 1e-12);
+}
+
+/// An empty scene rendered at these wavelengths.
+Scene scene_at(const std::string& wavelengths) {
+    return test::scene_of(
+        "camera: {position: [0, 0, 5], target: [0, 0, 0], fov: 30, up: [0, 1, 0]}\n"
+        "render: {size: [2, 2], wavelengths: " +
+        wavelengths + "}\nbackground: 1\nobjects: []\n");
+}
+
+double shown_nm(const Session& session) {
+    return session.current()->picture().wavelengths_nm[session.view.wavelength];
+}
+
+TEST(Session, OpensASpectralPictureAtThePlaneNearestTo580AsTheCommandLineDoes) {
+    Session session;
+    ASSERT_TRUE(session.open_scene(scene_at("380:780:20"), "spectral"));
+    EXPECT_EQ(shown_nm(session), 580.0);
+    session.update();
+    EXPECT_EQ(shown_nm(session), 580.0);
+}
+
+TEST(Session, KeepsTheWavelengthAndNotItsNumberWhenAnotherPictureIsShown) {
+    Session session;
+    ASSERT_TRUE(session.open_scene(scene_at("380:780:20"), "spectral"));
+    ASSERT_TRUE(session.open_scene(scene_at("[450, 550, 650]"), "three"));
+    EXPECT_EQ(shown_nm(session), 550.0) << "nearest to 580";
+    session.step_document(-1);
+    EXPECT_EQ(shown_nm(session), 580.0) << "550 was not chosen";
+    session.step_document(1);
+    session.view.wavelength = 2;
+    session.update();
+    EXPECT_EQ(shown_nm(session), 650.0);
+    session.step_document(-1);
+    EXPECT_EQ(shown_nm(session), 640.0) << "the first of two that are equally near to 650";
+    session.close_document();
+    session.update();
+    EXPECT_EQ(shown_nm(session), 650.0);
+    // An edit of the list counts the planes anew.
+    ASSERT_TRUE(session.current()->edit(scene_at("[450, 500, 550, 600, 650]"), "wavelengths"));
+    session.update();
+    EXPECT_EQ(shown_nm(session), 650.0);
 }
 
 }  // namespace
