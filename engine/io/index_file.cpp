@@ -14,6 +14,7 @@
 
 #include "core/nearest_word.h"
 #include "io/input_file.h"
+#include "io/yaml_value.h"
 
 namespace pol {
 namespace {
@@ -283,11 +284,7 @@ Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::pa
     } catch (const Complaint& complaint) {
         return complaint.error;
     } catch (const YAML::Exception& e) {
-        return Error{ErrorKind::input,
-                     "not YAML: " + e.msg,
-                     {path.string(), e.mark.line + 1, e.mark.column + 1},
-                     {},
-                     "check indentation, colons and quotes"};
+        return yaml_text_problem(e, text.value(), path.string());
     }
 }
 

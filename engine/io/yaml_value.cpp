@@ -345,27 +345,6 @@ std::string_view line_of(std::string_view text, int number) {
     return text.substr(0, text.find('\n'));
 }
 
-/// What the parser stumbled over, in words. The two causes that cannot be seen in an editor are looked for.
-[[noreturn]] void complain_about_text(const YAML::Exception& error, std::string_view text, const YamlFile& file) {
-    Place place = place_of(error.mark, file);
-    const std::string_view line = line_of(text, place.line);
-    const std::size_t tab = line.find('\t');
-    if (tab < line.find_first_not_of(" \t-")) {
-        place.column = static_cast<int>(tab) + 1;
-        complain(place, "", "not valid YAML: this line is indented with a tab; YAML allows only spaces",
-                 "replace the tab by spaces");
-    }
-    std::string hint = "look at brackets, quotes and indentation in this line and the one before";
-    for (const auto& [bytes, name] : unseen) {
-        for (int number = std::max(place.line - 1, 1); number <= place.line; ++number) {
-            if (line_of(text, number).find(bytes) != std::string_view::npos)
-                hint = "line " + std::to_string(number) + " holds the character " + std::string(name) +
-                       ", which looks like a space but is none";
-        }
-    }
-    complain(place, "", "not valid YAML: " + error.msg, hint);
-}
-
 /// Where a second document begins in `text`, if there is one. YAML::LoadAll would do, but never ends where a document
 /// begins with a character that begins nothing (a comma): such a document is found again and again.
 std::optional<YAML::Mark> second_document(const std::string& text) {
@@ -379,6 +358,32 @@ std::optional<YAML::Mark> second_document(const std::string& text) {
 
 }  // namespace
 
+Error yaml_text_problem(const YAML::Exception& problem, std::string_view text, const std::string& file_name) {
+    Error error{ErrorKind::input,
+                "not valid YAML: " + problem.msg,
+                place_of(problem.mark, {file_name}),
+                {},
+                "look at brackets, quotes and indentation in this line and the one before"};
+    // Two causes that cannot be seen in an editor.
+    const int line = error.place.line;
+    const std::string_view content = line_of(text, line);
+    const std::size_t tab = content.find('\t');
+    if (tab < content.find_first_not_of(" \t-")) {
+        error.place.column = static_cast<int>(tab) + 1;
+        error.what = "not valid YAML: this line is indented with a tab; YAML allows only spaces";
+        error.hint = "replace the tab by spaces";
+        return error;
+    }
+    for (const auto& [bytes, name] : unseen) {
+        for (int number = std::max(line - 1, 1); number <= line; ++number) {
+            if (line_of(text, number).find(bytes) != std::string_view::npos)
+                error.hint = "line " + std::to_string(number) + " holds the character " + std::string(name) +
+                             ", which looks like a space but is none";
+        }
+    }
+    return error;
+}
+
 YamlValue yaml_document(const std::string& text, const YamlFile& file) {
     YAML::Node document;
     std::optional<YAML::Mark> second;
@@ -386,7 +391,7 @@ YamlValue yaml_document(const std::string& text, const YamlFile& file) {
         document = YAML::Load(text);
         second = second_document(text);
     } catch (const YAML::Exception& error) {
-        complain_about_text(error, text, file);
+        throw YamlComplaint{yaml_text_problem(error, text, file.name)};
     }
     if (document.IsNull()) {
         complain({file.name, 1, 1}, "", "the file is empty", "assets/scenes/README.md shows what belongs in it");

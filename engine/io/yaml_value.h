@@ -112,6 +112,9 @@ private:
     std::map<std::string, YamlValue> values_;
 };
 
+/// What is wrong with `text`, which the parser gave up at `problem`: a tab that indents, if that is its place.
+Error yaml_text_problem(const YAML::Exception& problem, std::string_view text, const std::string& file_name);
+
 /// The one document of `text`. Throws YamlComplaint if it is empty, not YAML, or more than one document.
 YamlValue yaml_document(const std::string& text, const YamlFile& file);
 

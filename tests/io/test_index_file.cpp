@@ -194,7 +194,8 @@ struct BadRecord {
 TEST(IndexFile, MalformedRecordsAreErrorsWithAnAddress) {
     const BadRecord bad[] = {
         {"just words", 1, 1, "", "not an index record"},
-        {"a: b: c\n", 1, 5, "", "not YAML"},
+        {"a: b: c\n", 1, 5, "", "not valid YAML"},
+        {"DATA:\n\t- type: formula 1\n", 2, 1, "", "indented with a tab"},
         {"COMMENTS: hi\n", 1, 1, "DATA", "missing"},
         {"A: 1\nDATA: 3\n", 2, 7, "DATA", "not a list"},
         {"DATA: []\n", 1, 7, "DATA", "not a list"},
