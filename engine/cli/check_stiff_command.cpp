@@ -63,12 +63,12 @@ Result<std::vector<const StiffCase*>> chosen_cases(const StiffRequest& request) 
 }
 
 void print_heading() {
-    fmt::print("{:>3}  {:<27}{:<25}{:>9}  {:>9}  {:>9}  {:>6}  {}\n", "row", "case", "knob", "error", "condition",
+    fmt::print("{:>3}  {:<38}{:<22}{:>9}  {:>9}  {:>9}  {:>6}  {}\n", "row", "case", "knob", "error", "condition",
                "err/cond", "limit", "verdict");
 }
 
 void print_line(const StiffResult& r) {
-    fmt::print("{:>3}  {:<27}{:<25}{:>9.1e}  {:>9.1e}  {:>9.2g}  {:>6g}  {}\n", r.of->row, r.of->name,
+    fmt::print("{:>3}  {:<38}{:<22}{:>9.1e}  {:>9.1e}  {:>9.2g}  {:>6g}  {}\n", r.of->row, r.of->name,
                verify::range_text(*r.of), r.worst.finding.error, r.worst.finding.condition, r.ratio, r.limit,
                r.sound     ? "sound"
                : !r.finite ? "UNSOUND: not a number"
@@ -108,14 +108,19 @@ void print_json(const std::vector<StiffResult>& results) {
                                      {"condition_there", number(r.worst.finding.condition)},
                                      {"worst_ratio", number(r.ratio)},
                                      {"limit", r.limit}};
-        for (const StiffPoint& p : r.points)
-            entry["points"].push_back({{"setting", p.setting},
-                                       {"error", number(p.finding.error)},
-                                       {"condition", number(p.finding.condition)},
-                                       {"ratio", number(p.finding.ratio)},
-                                       {"limit", p.finding.chain},
-                                       {"finite", p.finding.finite},
-                                       {"inputs", p.inputs}});
+        const bool pair = !r.of->second_knob.empty();
+        if (pair) entry["second_knob"] = r.of->second_knob;
+        for (const StiffPoint& p : r.points) {
+            nlohmann::ordered_json point{{"setting", p.setting},
+                                         {"error", number(p.finding.error)},
+                                         {"condition", number(p.finding.condition)},
+                                         {"ratio", number(p.finding.ratio)},
+                                         {"limit", p.limit},
+                                         {"finite", p.finding.finite},
+                                         {"inputs", p.inputs}};
+            if (pair) point["second_setting"] = p.second_setting;
+            entry["points"].push_back(point);
+        }
         out["cases"].push_back(entry);
     }
     out["untested"] = nlohmann::ordered_json::array();

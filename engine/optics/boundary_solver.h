@@ -63,7 +63,12 @@ template <class Real>
 void respond_from_crystal(BoundaryResponse<Real>& response, Incidence<Real> incidence, WaveKind kind,
                           const Dielectric<Real>& medium1, const CrystalFace<Real>& face1,
                           const Dielectric<Real>& medium2) {
-    const CrystalRoots<Real> roots1 = reflected_roots(face1, kind, incidence.frame.q);
+    CrystalRoots<Real> roots1 = reflected_roots(face1, kind, incidence.frame.q);
+    if (kind != WaveKind::pair) {
+        // To take k along the axis is to turn the axis by a rounding, which changes energy fluxes by that over q: next
+        // to the face only if it is a rounding of q.
+        roots1.pair = roots1.pair && along_axis(roots1.across_o, roots1.q_o.re * roots1.q_o.re);
+    }
     const bool real1 = roots1.o_propagates && roots1.e_propagates;
     incidence.split = split_off_mirror(face1, roots1, kind, incidence.frame.q, incidence.mode[0]);
     if (incidence.split.done) incidence.mode[0] = incidence.split.rest;
@@ -99,7 +104,12 @@ BoundaryResponse<Real> respond_in_full(const Dielectric<Real>& medium1, const Di
     BoundaryResponse<Real> response;
     const IncidenceFrame<Real> frame = incidence_frame(normal, incident.k);
     CrystalFace<Real> face1;
-    if (medium1.kind == MediumKind::uniaxial) face1 = crystal_face(medium1, frame);
+    if (medium1.kind == MediumKind::uniaxial) {
+        Dielectric<Real> crystal = medium1;
+        // A pair's optic axis is its k. The axis as it is given may be a rounding apart, all of q for a grazing wave.
+        if (incident.kind == WaveKind::pair) crystal.axis = incident.k * (Real(1) / medium1.n);
+        face1 = crystal_face(crystal, frame);
+    }
     const detail::Incidence<Real> incidence = detail::describe_incidence(frame, medium1, face1, incident);
     if (!(incidence.flux > Real(0))) return response;
     response.incident = true;

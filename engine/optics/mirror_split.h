@@ -9,6 +9,12 @@
 // the difference of their q, follows from k x c = (-c_y q, c_x q - k_t c_z, k_t
 // c_y) without a cancelling difference. The boundary is linear: it is solved
 // for the rest, and `share` is taken from the reflected amplitude.
+//
+// Where the wave is nearer to the optic axis than to the face, k x c of the
+// mirror wave is another direction and much longer: share and rest would be
+// large and cancel. There the wave is left whole: what that costs, eps over the
+// angle to the face, is less than eps over the angle to the axis, to which o
+// and e are known at all.
 #pragma once
 
 #include <cmath>
@@ -43,7 +49,9 @@ MirrorSplit<Real> split_off_mirror(const CrystalFace<Real>& face, const CrystalR
     const Vec3<Real> h(incident.h_x, incident.h_y, face.k_t * incident.e.y);
     const Vec3<Real> along = ordinary ? Vec3<Real>(incident.e.x, incident.e.y, incident.e.z) : h;  // +-unit(k x c)
     const Real size2 = length2(across);
-    if (size2 == Real(0)) return split;
+    const Real mirror_size2 = length2(ordinary ? roots.across_o : roots.across_e);
+    // Two vectors that differ by |step|, one twice as long as the other: |k x c| is less than |step|.
+    if (mirror_size2 >= Real(4) * size2) return split;
     const Real scale = dot(along, across) < Real(0) ? -sqrt(length2(along) / size2) : sqrt(length2(along) / size2);
     const Vec3<Real>& c = face.axis;
     const Real factor = scale * step;
@@ -62,7 +70,7 @@ MirrorSplit<Real> split_off_mirror(const CrystalFace<Real>& face, const CrystalR
     }
     split.done = true;
     split.mirror = ordinary ? 0 : 1;
-    split.share = scale * sqrt(length2(ordinary ? roots.across_o : roots.across_e));
+    split.share = scale * sqrt(mirror_size2);
     return split;
 }
 

@@ -63,7 +63,9 @@ struct InterfaceFormula {
         std::vector<BoundaryResponse<Real>> responses;
         for (std::size_t w = 0; w < static_cast<std::size_t>(waves.count); ++w)
             responses.push_back(respond(medium1, medium2, normal, waves.wave[w]));
-        return asked == InterfaceResults::merged_fields ? merged_fields(responses) : wave_results(responses);
+        if (asked == InterfaceResults::merged_fields) return merged_fields(responses);
+        if (asked == InterfaceResults::unpolarized_powers) return unpolarized_powers(responses);
+        return wave_results(responses);
     }
 
 private:
@@ -135,6 +137,23 @@ private:
             }
         }
         results.push_back(absorbed.re);
+    }
+
+    template <class Real>
+    static std::vector<Real> unpolarized_powers(const std::vector<BoundaryResponse<Real>>& responses) {
+        Real reflected(0);
+        Real transmitted(0);
+        Real absorbed(0);
+        for (const auto& r : responses) {
+            for (std::size_t o = 0; o < static_cast<std::size_t>(r.outgoing_count); ++o) {
+                const OutgoingWave<Real>& out = r.outgoing[o];
+                Real& side = out.side == Side::reflected ? reflected : transmitted;
+                for (const auto& row : out.amplitude) side += norm2(row[0]) + norm2(row[1]);
+            }
+            absorbed += r.absorption[0][0].re + r.absorption[1][1].re;
+        }
+        const Real half = Real(1) / Real(2);
+        return {reflected * half, transmitted * half, absorbed * half, (reflected + transmitted + absorbed) * half};
     }
 
     template <class Real>

@@ -26,8 +26,10 @@ enum class InterfaceResults {
     /// Per fixed linear state and side: the sum of all outgoing fields, times the root of the flux. Independent of any
     /// choice of basis, so it has a limit where o and e become one.
     merged_fields,
-    /// Powers only.
-    powers,
+    /// What unpolarized light gives: all reflected, all transmitted, all absorbed power, and their sum. Independent of
+    /// any
+    /// choice of basis as well, and of the last digits of a wave vector of o or e by itself.
+    unpolarized_powers,
     transmitted_powers,
     reflected_powers,
 };

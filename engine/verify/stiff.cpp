@@ -25,7 +25,7 @@ const std::vector<StiffCase>& stiff_cases() {
     static const std::vector<StiffCase> all = [] {
         std::vector<StiffCase> cases;
         for (auto part : {stiff_axis_cases(), stiff_incidence_cases(), stiff_index_cases(), stiff_state_cases(),
-                          stiff_path_cases(), stiff_scene_cases()})
+                          stiff_path_cases(), stiff_scene_cases(), stiff_pair_cases()})
             cases.insert(cases.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
         std::stable_sort(cases.begin(), cases.end(),
                          [](const StiffCase& a, const StiffCase& b) { return a.row < b.row; });
@@ -49,7 +49,7 @@ const std::vector<UntestedRow>& untested_rows() {
     return rows;
 }
 
-Turn::Turn(int number) {
+Turn::Turn(std::size_t number) : number_(number) {
     const auto element = [number](std::uint32_t i) {
         return 2.0 * random_unit(RandomKey{1, 0, static_cast<std::uint32_t>(number), 0}, i) - 1.0;
     };
@@ -63,20 +63,24 @@ StiffResult run(const StiffCase& stiff_case) {
     result.of = &stiff_case;
     result.sound = true;
     for (const double setting : stiff_case.settings) {
+        const double loss = stiff_case.loss ? stiff_case.loss(setting) : 1.0;
         StiffPoint worst;
-        for (int number = 0; number < stiff_case.turns; ++number) {
+        for (std::size_t number = 0; number < stiff_case.turns; ++number) {
             Experiment experiment = stiff_case.at(setting, Turn(number));
-            StiffPoint point{setting, examine(experiment), std::move(experiment.inputs)};
-            const bool worse = point.finding.ratio * worst.finding.chain > worst.finding.ratio * point.finding.chain;
+            const std::vector<double>& seconds = stiff_case.second_settings;
+            StiffPoint point{setting, seconds.empty() ? 0.0 : seconds[number % seconds.size()], examine(experiment),
+                             0.0, std::move(experiment.inputs)};
+            point.limit = loss * point.finding.chain;
+            const bool worse = point.finding.ratio * worst.limit > worst.finding.ratio * point.limit;
             if (number == 0 || !point.finding.finite || (worst.finding.finite && worse)) worst = std::move(point);
         }
         const Finding& found = worst.finding;
         result.finite = result.finite && found.finite;
-        result.sound = result.sound && found.finite && found.ratio <= found.chain;
+        result.sound = result.sound && found.finite && found.ratio <= worst.limit;
         if (result.points.empty() || found.error > result.worst.finding.error) result.worst = worst;
-        if (result.points.empty() || found.ratio * result.limit > result.ratio * found.chain) {
+        if (result.points.empty() || found.ratio * result.limit > result.ratio * worst.limit) {
             result.ratio = found.ratio;
-            result.limit = found.chain;
+            result.limit = worst.limit;
         }
         result.points.push_back(std::move(worst));
     }

@@ -13,17 +13,21 @@
 
 namespace pol::verify {
 
-/// A rotation out of all symmetry with the axes of the world: the same case, other roundings.
+/// One of the tries at a setting: a rotation out of all symmetry with the axes of the world, the same case with other
+/// roundings.
 class Turn {
 public:
-    explicit Turn(int number);
+    explicit Turn(std::size_t number);
+    [[nodiscard]] std::size_t number() const { return number_; }
     DVec3 operator()(const DVec3& v) const { return v.x * x_ + v.y * y_ + v.z * z_; }
 
 private:
+    std::size_t number_;
     DVec3 x_, y_, z_;
 };
 
-/// One case: `at` sets the knob.
+/// One case: `at` sets the knob. A case of two knobs tries every setting of the second one at each of the first: turn
+/// number i has second_settings[i % size].
 struct StiffCase {
     std::string name;
     int row = 0;           ///< of the table of degenerate cases, physics notes section 4
@@ -33,17 +37,24 @@ struct StiffCase {
     std::string reference;
     std::vector<double> settings;  ///< at least 12; 0 is the singular point itself
     std::function<Experiment(double, const Turn&)> at;
-    int turns = 1;  ///< in how many orientations every setting is tried; the worst one counts
+    std::size_t turns = 1;  ///< in how many ways every setting is tried; the worst one counts
+    std::string second_knob{};
+    std::vector<double> second_settings{};
+    /// By how many times the condition the formulas are known to be worse than their roundings allow, at a setting;
+    /// the sentence says why. Nothing said: 1.
+    double (*loss)(double setting) = nullptr;
 };
 
 struct StiffPoint {
     double setting = 0.0;
+    double second_setting = 0.0;  ///< of the worst try, in a case of two knobs
     Finding finding{};
+    double limit = 0.0;  ///< on error / condition
     std::vector<double> inputs;
 };
 
 /// A case is sound if at every point every number is finite and error / condition stays within the limit, which is the
-/// number of rounded operations on the longest way from an input to a result.
+/// number of rounded operations on the longest way from an input to a result, times the case's known loss.
 struct StiffResult {
     const StiffCase* of = nullptr;
     std::vector<StiffPoint> points;

@@ -18,9 +18,10 @@ std::vector<StiffCase> stiff_index_cases();
 std::vector<StiffCase> stiff_state_cases();
 std::vector<StiffCase> stiff_path_cases();
 std::vector<StiffCase> stiff_scene_cases();
+std::vector<StiffCase> stiff_pair_cases();
 
 /// Orientations that a case of formulas is tried in.
-constexpr int usual_turns = 8;
+constexpr std::size_t usual_turns = 8;
 inline const std::string same_formulas = "the same formulas with 113 bits";
 
 inline const Dielectric<double> air = make_isotropic(1.0);

@@ -20,8 +20,18 @@ const char* explanation =
     "results move, with 113 bits, when the inputs move by one ulp, and one ulp of the result: what no program in "
     "doubles "
     "can avoid. <b>Limit</b>: as many times the condition as there are rounded operations on the longest way from an "
-    "input to a result, counted by running the formulas over numbers that count. A case is sound if error / condition "
-    "stays below its limit at every setting and every number is finite. Hollow markers on an edge are zeros.</p>\n";
+    "input to a result, counted by running the formulas over numbers that count, times a loss where the case says one. "
+    "A "
+    "case is sound if error / condition stays below its limit at every setting and every number is finite. A case of "
+    "two "
+    "knobs shows the worst setting of the second at each of the first. Hollow markers on an edge are zeros.</p>\n";
+
+/// Of both knobs, where there are two.
+std::string settings_text(const StiffCase& of) {
+    if (of.second_knob.empty()) return range_text(of);
+    return fmt::format("{}; {}: {:.4g} .. {:.4g}, 0", range_text(of), xml_text(of.second_knob),
+                       of.second_settings.front(), of.second_settings[of.second_settings.size() - 2]);
+}
 
 }  // namespace
 
@@ -57,7 +67,7 @@ Plot stiff_plot(const StiffResult& result) {
         const Finding& found = point.finding;
         error.points.emplace_back(point.setting, found.error);
         condition.points.emplace_back(point.setting, found.condition);
-        limit.points.emplace_back(point.setting, found.chain * found.condition);
+        limit.points.emplace_back(point.setting, point.limit * found.condition);
         if (found.error > 0.0) lowest = std::min(lowest, found.error);
     }
     plot.y.low = std::pow(10.0, std::floor(std::log10(lowest)));
@@ -79,7 +89,7 @@ std::string stiff_section(const std::vector<StiffResult>& results) {
         page += fmt::format(
             "<tr><td class=\"n\">{}</td><td><a href=\"#{}\">{}</a></td><td>{}: {}</td><td class=\"n\">{:.1e}</td>"
             "<td class=\"n\">{:.1e}</td><td class=\"n\">{:.2g}</td><td class=\"n\">{:g}</td><td{}>{}</td></tr>\n",
-            r.of->row, r.of->name, r.of->name, xml_text(r.of->knob), range_text(*r.of), r.worst.finding.error,
+            r.of->row, r.of->name, r.of->name, xml_text(r.of->knob), settings_text(*r.of), r.worst.finding.error,
             r.worst.finding.condition, r.ratio, r.limit, r.sound ? "" : " class=\"bad\"",
             r.sound ? "sound" : "UNSOUND");
     }

@@ -90,6 +90,22 @@ class Files(ProgramTest):
         self.assertEqual(set(outcomes.values()), {"pass"})
         self.assertEqual(report["invariants"][0]["tested"], 64)
 
+    def test_light_along_an_axis_that_grazes_a_face_keeps_its_energy(self):
+        # The axis is 1e-12 rad from the line of sight, the slope of the prism 0.86 degrees from it.
+        self.write("grazing.yaml", """
+camera: {type: orthographic, position: [0, 0, 10], target: [0, 0, 0], up: [0, 1, 0], width: 3}
+background: 1
+media:
+  spar: {crystal: calcite, axis: [1e-12, 0, 1], axis_space: world}
+objects:
+  - name: wedge
+    shape: {extrusion: {polygon: [[-1, -40], [-0.5, -40], [0.1, 0], [-1, 0]], height: 1}}
+    transform: [{rotate: {axis: [1, 0, 0], angle: 90}}]
+    medium: spar
+""")
+        self.succeed("render", "grazing.yaml", "-o", "grazing.exr", "--size", "24x24")
+        self.succeed("check", "grazing.yaml")
+
     def test_the_command_that_shows_the_worst_pixel_works(self):
         report = json.loads(self.succeed("check", SCENES / "cube-glass.yaml", "--size", 8, "--json"))
         command = report["invariants"][0]["explain"].split()

@@ -129,6 +129,30 @@ TEST(Degenerate, GrazingLightIsReflectedByCrystalsToo) {  // row 8
     EXPECT_FALSE(arrive(air, calcite(up), up, DVec3(0.6, 0.0, -0.8)).incident);
 }
 
+TEST(Degenerate, AWaveNearTheAxisThatGrazesAFaceFromInsideKeepsAllItsEnergy) {  // rows 2 and 8 at once
+    // Also where the mirror image, not the wave itself, comes near the axis. About a hundred roundings of powers of
+    // order 1 stand between the inputs and the sum.
+    constexpr double rounding = 100.0 * eps;
+    Dice dice(7);
+    for (int i = 0; i < 4000; ++i) {
+        const double grazing = std::pow(10.0, dice.uniform(-15.5, -1.5));
+        const DVec3 s(std::cos(grazing), 0.0, std::sin(grazing));
+        const DVec3 centre = i % 2 == 0 ? s : DVec3(s.x, 0.0, -s.z);
+        const double angle = std::pow(10.0, dice.uniform(-16.0, -1.0));
+        const auto crystal = calcite(unit(centre + angle * unit(cross(centre, dice.direction()))));
+        const auto waves = waves_of_wave_normal(crystal, s);
+        for (const auto& behind : {air, make_isotropic(1.8), make_uniaxial(1.8, 1.9, unit(DVec3(1.0, 2.0, 3.0)))}) {
+            for (int w = 0; w < waves.count; ++w) {
+                const auto response = respond(crystal, behind, up, waves.wave[w]);
+                if (!response.incident) continue;
+                for (int j = 0; j < response.incident_modes; ++j)
+                    ASSERT_NEAR(total_power(response, static_cast<std::size_t>(j)), 1.0, rounding)
+                        << "wave " << w << ", " << angle << " rad from the axis, " << grazing << " rad above the face";
+            }
+        }
+    }
+}
+
 TEST(Degenerate, AnExactlyCriticalWaveTakesNothing) {  // row 9
     // n_o = 2 is met at exactly k_t = n_o by a wave of index 2.5 at (0.8, 0, 0.6): 2.5 * 0.8 = 2.
     const Wave<double> wave{WaveKind::pair, {2.0, 0.0, 1.5}, {0.8, 0.0, 0.6}, {{0.0, 1.0, 0.0}, {-0.6, 0.0, 0.8}}};

@@ -45,6 +45,22 @@ TEST(StiffSuite, AnswersForEveryRow) {
     for (int row = 1; row <= 38; ++row) EXPECT_TRUE(rows.contains(row)) << row;
 }
 
+TEST(StiffSuite, DrivesPairsOfKnobsIntoTheirSingularPointsAtOnce) {
+    std::set<std::string> pairs;
+    for (const StiffCase& one : stiff_cases()) {
+        if (one.second_knob.empty()) continue;
+        pairs.insert(one.name);
+        EXPECT_GE(one.settings.size() * one.turns, 60U) << one.name;
+        EXPECT_EQ(one.turns % one.second_settings.size(), 0U) << one.name;
+    }
+    // Points of matter, neighbour, axis and incidence against each other.
+    for (const char* name :
+         {"grazing-and-wave-along-axis", "weak-crystal-and-grazing", "matched-o-and-below-o-critical",
+          "axis-in-face-and-axis-in-plane", "axis-along-normal-and-normal-incidence", "strong-negative-and-weak-metal",
+          "grazing-and-twin"})
+        EXPECT_TRUE(pairs.contains(name)) << name;
+}
+
 /// The larger root of x^2 - 2 x + c = 0 is fine; the smaller one cancels as 1 -
 /// sqrt(1 - c), not as c/(1 + ...).
 struct SmallerRoot {
