@@ -16,8 +16,6 @@ namespace pol {
 
 namespace {
 
-constexpr std::string_view separator = "\n---\n";
-
 /// Into `result`: everything above the line of dashes, checked against the scene below it.
 void read_head(const std::string& head, const YamlFile& file, PixelCase& result) {
     const YamlMap map = yaml_document(head, file).map({"pixel", "sample", "wavelength", "expected", "tolerance"});
@@ -52,7 +50,14 @@ void read_head(const std::string& head, const YamlFile& file, PixelCase& result)
 Result<PixelCase> load_pixel_case(const std::filesystem::path& path) {
     const Result<std::string> text = read_input_file(path, std::uintmax_t{16} << 20U);
     if (!text) return text.error();
-    const std::size_t cut = text.value().find(separator);
+    std::size_t cut = std::string::npos;
+    std::size_t scene_begin = 0;
+    for (const std::string_view dashes : {"\n---\n", "\n---\r\n"}) {
+        const std::size_t found = text.value().find(dashes);
+        if (found >= cut) continue;
+        cut = found;
+        scene_begin = found + dashes.size();
+    }
     if (cut == std::string::npos)
         return Error{ErrorKind::input,
                      "this is no pixel case: there is no line '---' between the case and its scene",
@@ -63,7 +68,7 @@ Result<PixelCase> load_pixel_case(const std::filesystem::path& path) {
     // Empty lines instead of the head: messages about the scene then have the lines of this file.
     const std::string scene_text =
         std::string(static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n')) + 1, '\n') +
-        text.value().substr(cut + separator.size());
+        text.value().substr(scene_begin);
     auto scene = parse_scene(scene_text, path.string(), path.parent_path());
     if (!scene) return scene.error();
     PixelCase result;

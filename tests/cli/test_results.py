@@ -191,6 +191,8 @@ class Explain(ProgramTest):
         case = CASES / "brewster.yaml"
         self.assertIn("the case holds", self.succeed("explain", "--case", case))
         text = case.read_text()
+        elsewhere = self.write("elsewhere.yaml", b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
+        self.assertIn("the case holds", self.succeed("explain", "--case", elsewhere))
         wrong = self.write("wrong.yaml", text.replace("0.0739", "0.0738"))
         done = self.run_program("explain", "--case", wrong)
         self.assertEqual(done.returncode, 5, done.stderr)
@@ -228,7 +230,7 @@ class Interface(ProgramTest):
 
     def test_cases_are_answered_line_by_line_with_the_powers_of_the_oracle(self):
         lines = self.ORACLE.read_text().splitlines()[::20]
-        self.write("cases.jsonl", "\n".join(lines) + "\n\n")
+        self.write("cases.jsonl", "\ufeff" + "\r\n".join(lines) + "\n\n")
         answers = self.succeed("interface", "--cases", "cases.jsonl").splitlines()
         self.assertEqual(len(answers), len(lines))
         for line, answer in zip(lines, answers):
