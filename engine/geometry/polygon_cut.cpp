@@ -19,9 +19,13 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Half a second or so; lettering that is cut out of a face stays below.
 constexpr std::size_t most_corners = 10'000;
 
-/// Corners may lie off the plane by this share of the width: so much does a flat face bend where its coordinates are
-/// rounded to a five-hundredth of its width, say a facet of 0.5 mm in metres of six decimals.
-constexpr double flatness = 1e-3;
+/// How far corners may lie off the plane: by a thousandth of the width, or by half a unit of the sixth digit of the
+/// coordinates, which is all that many programs write, but not by more than a few hundredths.
+double flatness(double width, std::span<const DVec3> corners) {
+    double largest = 0.0;
+    for (const DVec3& p : corners) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return std::clamp(5e-6 * largest, 1e-3 * width, 3e-2 * width);
+}
 
 Error broken(std::string what) {
     return complaint("", std::move(what), "cut it into simple faces or triangles in a modeling program");
@@ -200,7 +204,7 @@ Result<std::vector<Triangle>> cut_polygon(std::span<const DVec3> given) {
         low = std::min(low, height);
         high = std::max(high, height);
     }
-    if (0.5 * (high - low) > flatness * width) {
+    if (0.5 * (high - low) > flatness(width, corners)) {
         char bend[32];
         std::snprintf(bend, sizeof bend, "%.3g", 0.5 * (high - low));
         return broken("is not flat: its corners lie up to " + std::string(bend) + " off any plane, near " +

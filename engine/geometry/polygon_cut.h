@@ -14,9 +14,9 @@ namespace pol {
 
 /// Cuts the inside of a polygon into triangles of its corners (indices into `corners`, which wind as the polygon does).
 /// Every corner is used, also those in the middle of a side; a corner at the place of the one before it is left out.
-/// Errors, whose text continues "the face": more than 10,000 corners, all in one line, not flat (a corner further off
-/// the plane than a thousandth of the width), sides that cross or touch, as they do where a cut leads to a hole.
-/// Time: square of the number of corners.
+/// Errors, whose text continues "the face": more than 10,000 corners, all in one line, not flat (corners off
+/// the plane by more than a thousandth of the width that six digits of the coordinates do not explain), sides that
+/// cross or touch, as they do where a cut leads to a hole. Time: square of the number of corners.
 Result<std::vector<std::array<std::uint32_t, 3>>> cut_polygon(std::span<const DVec3> corners);
 
 }  // namespace pol

@@ -245,8 +245,24 @@ TEST(PolygonCut, RefusesFacesThatAreNotFlatButNotWhatRoundingBends) {
     // Long and thin: the bend is measured against the width, which is what turns the normals.
     EXPECT_NE(complaint({{0, 0, 0}, {100, 0, 0}, {100, 0.1, 0.01}, {0, 0.1, 0}}).find("is not flat"),
               std::string::npos);
-    // A facet in any direction, 3 wide in single precision, and 0.003 wide in coordinates of six decimals.
+    // Next to the pole of a tilted unit sphere of 1024 x 512 faces, in coordinates of six decimals: 4e-5 wide.
     test::Dice dice = test::dice(35);
+    const Placement sphere = tilted(dice);
+    for (int face = 0; face < 1024; ++face) {
+        std::vector<DVec3> corners;
+        for (const auto& [i, j] : {std::pair{1, 0}, {2, 0}, {2, 1}, {1, 1}}) {
+            const double polar = pi * i / 512;
+            const double azimuth = 2.0 * pi * (face + j) / 1024;
+            const DVec3 p = std::sin(polar) * (std::cos(azimuth) * sphere.x + std::sin(azimuth) * sphere.y) +
+                            std::cos(polar) * cross(sphere.x, sphere.y);
+            corners.push_back(glm::round(p * 1e6) / 1e6);
+        }
+        EXPECT_EQ(complaint(corners), "");
+    }
+    // Digits far from the origin explain no bend that can be seen.
+    EXPECT_NE(complaint({{1e6, 0, 0}, {1e6, 1, 0}, {1e6 + 0.1, 1, 1}, {1e6, 0, 1}}).find("is not flat"),
+              std::string::npos);
+    // A facet in any direction, 3 wide in single precision, and 0.003 wide in coordinates of six decimals.
     for (int trial = 0; trial < 100; ++trial) {
         Placement place = tilted(dice);
         std::vector<DVec3> rounded = placed(letter_u, place);
