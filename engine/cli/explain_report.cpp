@@ -33,20 +33,21 @@ std::optional<MeasureBounds<double>> bars_of(const Plan& plan, const Explanation
 }
 
 std::string text_of(const DVec3& v) {
-    return fmt::format("({:.9f}, {:.9f}, {:.9f})", v.x, v.y, v.z);
+    // Adding 0 turns -0 into 0, here and below.
+    return fmt::format("({:.9f}, {:.9f}, {:.9f})", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 
 std::string text_of(const CoherenceMatrix<double>& j) {
-    return fmt::format("[[{:.6g}, {:.6g}{:+.6g}i], [{:.6g}{:+.6g}i, {:.6g}]]", j.xx, j.xy.re, j.xy.im, j.xy.re,
-                       -j.xy.im, j.yy);
+    return fmt::format("[[{:.6g}, {:.6g}{:+.6g}i], [{:.6g}{:+.6g}i, {:.6g}]]", j.xx, j.xy.re + 0.0, j.xy.im + 0.0,
+                       j.xy.re + 0.0, 0.0 - j.xy.im, j.yy);
 }
 
 std::string text_of(const Complex<double>& z) {
-    return fmt::format("{:.6g}{:+.6g}i", z.re, z.im);
+    return fmt::format("{:.6g}{:+.6g}i", z.re + 0.0, z.im + 0.0);
 }
 
 std::string text_of(const Stokes<double>& s) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g})", s.s0, s.s1, s.s2, s.s3);
+    return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g})", s.s0 + 0.0, s.s1 + 0.0, s.s2 + 0.0, s.s3 + 0.0);
 }
 
 /// Rows are the camera's x and y, columns E1 and E2 of the branch.

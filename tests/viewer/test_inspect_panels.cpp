@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "cli/ray_table.h"
@@ -233,7 +235,10 @@ TEST_F(Panels, PathsAndTableShowTheNumbersOfTheTree) {
 
 TEST_F(Panels, ExportsAndCasesGoWhereAllExportsGo) {
     const test::WorkingFolder folder;
-    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
+    test::write_text(folder / "tip.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    test::write_text(folder / "plate.yaml", test::plate_scene(8, 8) +
+                                                "  - {name: tip, shape: {mesh: {file: tip.obj}}, "
+                                                "transform: [{translate: [0, 0, -8]}], medium: glass}\n");
     ASSERT_TRUE(session.open(folder / "plate.yaml"));
     session.pin({4, 4});
     for (int i = 0; i < 5000 && !session.explanation(); ++i) {
@@ -254,6 +259,10 @@ TEST_F(Panels, ExportsAndCasesGoWhereAllExportsGo) {
     const auto saved = load_pixel_case(folder / "plate-4,4.case.yaml");
     ASSERT_TRUE(saved) << to_string(saved.error());
     EXPECT_EQ(saved.value().expected, to_coherence(session.explanation()->sample_light));
+    std::ifstream file(folder / "plate-4,4.case.yaml");
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    EXPECT_NE(text.find("{file: \"tip.obj\"}"), std::string::npos) << "named as seen from the folder of the case\n"
+                                                                   << text;
     const auto verdict = check(saved.value());
     ASSERT_TRUE(verdict);
     EXPECT_TRUE(verdict.value().computed == saved.value().expected) << "equal bits after a way through a file";

@@ -100,7 +100,7 @@ void PathsPanel::draw_rows(Session& session, float height) {
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("path", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("weight", ImGuiTableColumnFlags_WidthFixed, 4.0F * em);
-    ImGui::TableSetupColumn("S0", ImGuiTableColumnFlags_WidthFixed, 3.8F * em);
+    ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, 3.8F * em);
     ImGui::TableSetupColumn("meets", ImGuiTableColumnFlags_WidthFixed, 5.2F * em);
     ImGui::TableHeadersRow();
     if (session.selection.node != scrolled_to_) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "viewer/branch_sheet.h"
 #include "viewer/widgets/widget_map.h"
@@ -263,10 +264,12 @@ void SpacePanel::draw_selected(const Session& session) {
     const RayTreeNode& branch = explanation_->tree.nodes[static_cast<std::size_t>(*node)];
     const auto figure = field_figure(branch, found->line, 0.12 * ball_.radius);
     if (!figure) return;
-    for (const DVec3& axis : {figure->x, figure->y}) {
-        if (const auto ends = view_.project(SpaceLine{figure->center, figure->center + axis}, size_))
-            list.AddLine(in_window(origin_, ends->first.at), in_window(origin_, ends->second.at), faint(highlight, 0.5),
-                         1.0F);
+    for (const auto& [axis, name] : {std::pair{figure->x, "E1"}, std::pair{figure->y, "E2"}}) {
+        const auto ends = view_.project(SpaceLine{figure->center, figure->center + axis}, size_);
+        if (!ends || axis == DVec3(0.0)) continue;
+        list.AddLine(in_window(origin_, ends->first.at), in_window(origin_, ends->second.at), faint(highlight, 0.5),
+                     1.0F);
+        list.AddText(in_window(origin_, ends->second.at + DVec2(3.0, -6.0)), faint(highlight, 0.5), name);
     }
     std::vector<ImVec2> tips;
     for (const DVec3& tip : figure->tips) {
