@@ -25,6 +25,7 @@ uniform float d65;               // 0: not known
 uniform float noise;             // pixel_noise
 uniform float full_weight;       // full_weight_polarization
 uniform bool fades;              // weak polarization is drawn with less than full weight
+uniform bool fades_by_bar;       // and so is what has a wide error bar
 uniform bool has_bench;
 uniform vec4 bench_row;          // S0 behind the bench
 uniform float gain;
@@ -94,14 +95,15 @@ struct MapPixel {
     float value;
     float weight;
     int state;
+    float certainty;
 };
 
 MapPixel number(float value) {
-    return MapPixel(value, 1.0, is_finite(value) ? state_defined : state_not_a_number);
+    return MapPixel(value, 1.0, is_finite(value) ? state_defined : state_not_a_number, 1.0);
 }
 
 MapPixel empty(int state) {
-    return MapPixel(0.0, 0.0, state);
+    return MapPixel(0.0, 0.0, state, 1.0);
 }
 
 // evaluate_light of engine/maps/evaluate.cpp.
@@ -114,9 +116,8 @@ MapPixel evaluate(Light light) {
     float surplus = light.surplus;
     float missing = light.residual * brightest + surplus;
     Measures m = measure(s, noise);
-    if (!m.is_light || !is_finite(missing) || !(surplus >= 0.0) || !(light.residual >= 0.0)) {
-        return empty(state_not_a_number);
-    }
+    if (!is_finite(s) || !is_finite(missing)) return empty(state_not_a_number);
+    if (!m.is_light || surplus < 0.0 || light.residual < 0.0) return empty(state_unphysical);
     if (s.x + missing <= light.dark) return empty(state_no_light);
     if (!m.has_light) return empty(state_undetermined);
 
@@ -126,38 +127,38 @@ MapPixel evaluate(Light light) {
     float value = 0.0;
     float weight = 1.0;
     bool is_defined = true;
-    bool is_determined = true;
+    float spread = 0.0;  // width of the bar, half of the quantity's range being 1
     if (quantity == quantity_dop) {
         value = m.dop;
-        is_determined = dop_bar.y - dop_bar.x < 0.5;
+        spread = 2.0 * (dop_bar.y - dop_bar.x);
     } else if (quantity == quantity_dolp) {
         value = m.dolp;
-        is_determined = dolp_bar.y - dolp_bar.x < 0.5;
+        spread = 2.0 * (dolp_bar.y - dolp_bar.x);
     } else if (quantity == quantity_docp) {
         vec2 bar = share_bounds(abs(s.w), s.x, missing, surplus);
         value = m.docp;
-        is_determined = bar.y - bar.x < 0.5;
+        spread = 2.0 * (bar.y - bar.x);
     } else if (quantity == quantity_ellipticity) {
         vec2 bar = ellipticity_bounds(m, radius);
         value = m.ellipticity;
         weight = m.dop / full_weight;
         is_defined = m.has_polarization;
-        is_determined = bar.y - bar.x < 0.5;
+        spread = 2.0 * (bar.y - bar.x);
     } else if (quantity == quantity_handedness) {
         vec2 bar = ellipticity_angle_bounds(m, radius);
         value = m.chirality;
         weight = m.dop / full_weight;
         is_defined = m.has_polarization;
-        is_determined = bar.y - bar.x < pi / 4.0;
+        spread = (bar.y - bar.x) / (pi / 4.0);
     } else if (quantity == quantity_azimuth) {
         value = degrees(m.azimuth);
         weight = m.dolp / full_weight;
         is_defined = m.has_azimuth;
-        is_determined = azimuth_bound(m, radius) < pi / 4.0;
+        spread = azimuth_bound(m, radius) / (pi / 4.0);
     } else if (quantity == quantity_s1 || quantity == quantity_s2 || quantity == quantity_s3) {
         float part = quantity == quantity_s1 ? s.y : quantity == quantity_s2 ? s.z : s.w;
         value = part / s.x;
-        is_determined = 2.0 * radius < s.x;
+        spread = 2.0 * radius / s.x;
     } else if (quantity == quantity_dop_error) {
         value = share_half_width(m.polarized, s.x, missing, surplus);
     } else if (quantity == quantity_ellipticity_error) {
@@ -171,9 +172,10 @@ MapPixel evaluate(Light light) {
     // Where the polarized part is known to be next to nothing, its direction is not unknown but without meaning.
     float most = quantity == quantity_azimuth ? dolp_bar.y : dop_bar.y;
     bool is_unpolarized = is_of_direction && most < full_weight;
+    bool is_determined = spread < 1.0;
     if (!is_determined && !is_unpolarized) return empty(state_undetermined);
     if (!is_defined || !is_determined) return empty(state_undefined);
-    return MapPixel(value, min(1.0, weight), state_defined);
+    return MapPixel(value, min(1.0, weight), state_defined, 1.0 - spread);
 }
 
 // Of the pixels first <= p <= last the one that differs most: a single wrong pixel must not drown. Not known: state -1.
@@ -185,9 +187,9 @@ MapPixel worst_difference(ivec2 first, ivec2 last) {
             vec4 one = texelFetch(difference, ivec2(x, y), 0);
             if (one.w == 0.0 || worst.state == state_not_a_number) continue;
             int state = int(one.z);
-            bool is_defect = state == state_not_a_number;
-            bool is_more = state == state_defined && (worst.state != state_defined || abs(one.x) > abs(worst.value));
-            if (worst.state == -1 || is_defect || is_more) worst = MapPixel(one.x, one.y, state);
+            bool is_defect = state == state_not_a_number || state == state_unphysical;
+            bool is_more = state == state_defined && worst.state != state_unphysical && (worst.state != state_defined || abs(one.x) > abs(worst.value));
+            if (worst.state == -1 || is_defect || is_more) worst = MapPixel(one.x, one.y, state, 1.0);
         }
     }
     return worst;
@@ -214,14 +216,15 @@ vec3 photograph(vec3 light) {
     return is_finite(vec4(light, 0.0)) ? srgb_encode(developed(gain * light)) : state_colors[state_not_a_number];
 }
 
-// sRGB of the shown map; `at` in points from the picture's corner.
+// sRGB of the shown map; `at` in points from the picture's corner. Of a difference the weight has the certainty in it.
 vec3 map_color(MapPixel pixel, ivec2 at) {
     if (pixel.state == state_undetermined && (at.x + at.y) / 2 % 4 >= 2) return hatch_dark;
     if (pixel.state != state_defined) return state_colors[pixel.state];
     float t = (pixel.value - low) / (high - low);
     if (quantity == quantity_intensity && !is_difference) t = developed(vec3(t)).x;
-    if (!is_of_direction) return scale_color(t, true);
-    return srgb_encode(mix(ground, scale_color(t, false), fades ? pixel.weight : 1.0));
+    if (!is_of_direction && !fades_by_bar) return scale_color(t, true);
+    float weight = (fades ? pixel.weight : 1.0) * (fades_by_bar ? pixel.certainty : 1.0);
+    return srgb_encode(mix(ground, scale_color(t, false), weight));
 }
 
 void main() {

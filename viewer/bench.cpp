@@ -29,20 +29,20 @@ MuellerMatrix<double> Bench::mueller() const {
     return to_mueller(train);
 }
 
-std::span<const NamedAnalyzer> standard_analyzers() {
+std::span<const StandardAnalyzer> standard_analyzers() {
     const auto linear = [](double axis) { return Bench{{{BenchElementKind::polarizer, true, axis, 0.0}}}; };
     // A quarter wave with its fast axis along x turns right circular light into linear light at +45 degrees.
     const auto circular = [](double axis) {
         return Bench{
             {{BenchElementKind::retarder, true, 0.0, 0.5 * pi}, {BenchElementKind::polarizer, true, axis, 0.0}}};
     };
-    static const std::array<NamedAnalyzer, 6> analyzers{{
-        {"horizontal", linear(0.0)},
-        {"vertical", linear(0.5 * pi)},
-        {"+45\u00b0", linear(0.25 * pi)},
-        {"\u221245\u00b0", linear(0.75 * pi)},
-        {"right circular", circular(0.25 * pi)},
-        {"left circular", circular(0.75 * pi)},
+    static const std::array<StandardAnalyzer, 6> analyzers{{
+        {{1.0, 1.0, 0.0, 0.0}, linear(0.0)},
+        {{1.0, -1.0, 0.0, 0.0}, linear(0.5 * pi)},
+        {{1.0, 0.0, 1.0, 0.0}, linear(0.25 * pi)},
+        {{1.0, 0.0, -1.0, 0.0}, linear(0.75 * pi)},
+        {{1.0, 0.0, 0.0, 1.0}, circular(0.25 * pi)},
+        {{1.0, 0.0, 0.0, -1.0}, circular(0.75 * pi)},
     }};
     return analyzers;
 }

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "maps/pixel_light.h"
@@ -37,13 +36,13 @@ struct Bench {
 };
 
 /// The train that passes one state of light in full and blocks the opposite one.
-struct NamedAnalyzer {
-    std::string_view title;
+struct StandardAnalyzer {
+    Stokes<double> passes;
     Bench bench;
 };
 
 /// H, V, +45, -45, right, left: in pairs of opposite states.
-std::span<const NamedAnalyzer> standard_analyzers();
+std::span<const StandardAnalyzer> standard_analyzers();
 
 /// Light behind a train of passive elements. They let through no more of the missing or surplus light than there was,
 /// so its bounds stay; what rounding leaves of light that they stop is told by the light in front of them.

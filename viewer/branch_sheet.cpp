@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/units.h"
 #include "tracer/tree_names.h"
 #include "viewer/reading_text.h"
@@ -15,20 +17,21 @@ const RayTreeNode& node_of(const Explanation& explanation, int branch) {
     return explanation.tree.nodes[static_cast<std::size_t>(branch)];
 }
 
-SheetRow number(std::string name, double value, std::string_view unit, std::string_view help) {
-    return {std::move(name), short_number(value, 9) + std::string(unit), {}, fmt::format("{:.17g}", value), help};
+/// What is nothing but rounding beside `size` is shown as 0.
+SheetRow number(std::string name, double value, std::string_view unit, std::string_view help, double size = 0.0) {
+    return {std::move(name), short_number(value, 9, size) + std::string(unit), {}, fmt::format("{:.17g}", value), help};
 }
 
 SheetRow vector(std::string name, const DVec3& v, std::string_view help) {
     return {std::move(name),
-            fmt::format("({}, {}, {})", short_number(v.x, 6), short_number(v.y, 6), short_number(v.z, 6)),
+            vector_text(v, glm::length(v)),
             {},
             fmt::format("({:.17g}, {:.17g}, {:.17g})", v.x, v.y, v.z),
             help};
 }
 
-SheetRow complex(std::string name, const Complex<double>& z, std::string_view help) {
-    return {std::move(name), complex_text(z), {}, exact_text(z), help};
+SheetRow complex(std::string name, const Complex<double>& z, std::string_view help, double size) {
+    return {std::move(name), complex_text(z, 7, size), {}, exact_text(z), help};
 }
 
 SheetRow words(std::string name, const std::string& text, std::string_view help) {
@@ -38,11 +41,12 @@ SheetRow words(std::string name, const std::string& text, std::string_view help)
 void add_matrix(std::vector<SheetRow>& rows, const RayTreeNode& node) {
     constexpr std::string_view help = "From the branch's E1, E2 to the camera's x, y";
     const auto& m = node.start.throughput.m;
-    rows.push_back(complex("M x1", m[0][0], help));
-    rows.push_back(complex("M y1", m[1][0], help));
+    const double size = std::sqrt(norm2(m[0][0]) + norm2(m[0][1]) + norm2(m[1][0]) + norm2(m[1][1]));
+    rows.push_back(complex("M x1", m[0][0], help, size));
+    rows.push_back(complex("M y1", m[1][0], help, size));
     if (node.start.wave.kind != WaveKind::pair) return;
-    rows.push_back(complex("M x2", m[0][1], help));
-    rows.push_back(complex("M y2", m[1][1], help));
+    rows.push_back(complex("M x2", m[0][1], help, size));
+    rows.push_back(complex("M y2", m[1][1], help, size));
 }
 
 void add_arriving(std::vector<SheetRow>& rows, const Explanation& explanation, const RayTreeNode& node) {
@@ -54,14 +58,14 @@ void add_arriving(std::vector<SheetRow>& rows, const Explanation& explanation, c
     }
     const Stokes<double> s = to_stokes(*node.arriving);
     rows.push_back(number("light S0", s.s0, "", help));
-    rows.push_back(number("light S1", s.s1, "", help));
-    rows.push_back(number("light S2", s.s2, "", help));
-    rows.push_back(number("light S3", s.s3, "", help));
+    rows.push_back(number("light S1", s.s1, "", help, s.s0));
+    rows.push_back(number("light S2", s.s2, "", help, s.s0));
+    rows.push_back(number("light S3", s.s3, "", help, s.s0));
     rows.push_back(words("light is", handedness_of(measure_arriving(explanation, node)),
                          "Handedness: right is clockwise for who looks along the backward ray"));
-    rows.push_back(number("light J11", node.arriving->xx, "", help));
-    rows.push_back(number("light J22", node.arriving->yy, "", help));
-    rows.push_back(complex("light J12", node.arriving->xy, help));
+    rows.push_back(number("light J11", node.arriving->xx, "", help, s.s0));
+    rows.push_back(number("light J22", node.arriving->yy, "", help, s.s0));
+    rows.push_back(complex("light J12", node.arriving->xy, help, s.s0));
 }
 
 }  // namespace
@@ -106,9 +110,9 @@ SheetGroup make_branch_sheet(const Plan& plan, const Explanation& explanation, i
     constexpr std::string_view share_help =
         "What it and all that grew from it bring to the pixel, in the pixel's frame";
     rows.push_back(number("share S0", node.share.s0, "", share_help));
-    rows.push_back(number("share S1", node.share.s1, "", share_help));
-    rows.push_back(number("share S2", node.share.s2, "", share_help));
-    rows.push_back(number("share S3", node.share.s3, "", share_help));
+    rows.push_back(number("share S1", node.share.s1, "", share_help, node.share.s0));
+    rows.push_back(number("share S2", node.share.s2, "", share_help, node.share.s0));
+    rows.push_back(number("share S3", node.share.s3, "", share_help, node.share.s0));
     add_matrix(rows, node);
     add_arriving(rows, explanation, node);
     if (node.estimated) rows.push_back(words("estimated", "random tail", "Rescaled to stand for all that was open"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conventions that other books and programs use, as a way to label the same light.
+// The conventions that other books and programs use, as a way to label the same light. All words and signs of the
+// window that depend on a convention come from here.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,10 @@
 #include <string_view>
 
 #include "core/vec.h"
+#include "maps/colorize.h"
+#include "maps/quantity.h"
 #include "polarization/coherence_matrix.h"
+#include "polarization/mueller.h"
 #include "polarization/stokes.h"
 
 namespace pol {
@@ -36,16 +40,30 @@ struct Convention {
 
     [[nodiscard]] Stokes<double> stokes(const Stokes<double>& engine) const;
     [[nodiscard]] CoherenceMatrix<double> matrix(const CoherenceMatrix<double>& engine) const;
-    /// The axis that is called x.
-    [[nodiscard]] DVec3 x_axis(const DVec3& engine) const;
+    /// What acts on stokes() as `engine` does on the engine's own.
+    [[nodiscard]] MuellerMatrix<double> mueller(const MuellerMatrix<double>& engine) const;
+    /// The axis that is called x is this times the engine's.
+    [[nodiscard]] double x_sign() const { return viewpoint == Viewpoint::source ? -1.0 : 1.0; }
     /// "right" or "left" for a `handedness` of measure() (+1, -1) of the Stokes vector in this convention.
     [[nodiscard]] std::string_view handedness_name(int handedness) const;
     /// +1 if S3 = 2 Im J_xy here, -1 if S3 = -2 Im J_xy.
     [[nodiscard]] int s3_of_matrix() const;
+
     /// "receiver's view, S3 > 0 right, exp(-iωt)".
     [[nodiscard]] std::string text() const;
+    /// The same without the time sign, which Stokes vectors do not know.
+    [[nodiscard]] std::string stokes_text() const;
+    /// QuantityInfo::definition, in this convention.
+    [[nodiscard]] std::string definition(Quantity quantity) const;
+    /// What the scale of a map, or of a difference of maps, says of its signs; empty where they do not depend on this.
+    [[nodiscard]] ScaleWords scale_words(Quantity quantity, bool is_difference) const;
+    /// "right circular", "+45°": of one of the six standard states, given as the engine's Stokes vector.
+    [[nodiscard]] std::string state_name(const Stokes<double>& engine) const;
 
     friend bool operator==(const Convention&, const Convention&) = default;
 };
+
+/// True if values of this map change with the convention: azimuth, handedness, S2, S3.
+bool depends_on_convention(Quantity quantity);
 
 }  // namespace pol

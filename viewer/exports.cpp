@@ -45,8 +45,9 @@ void forget_preview(StokesImage& image) {
     }
 }
 
-/// The picture behind the bench; of one wavelength if that is all that the map needs.
-StokesImage seen_behind(const StokesImage& picture, const Bench& bench, std::optional<std::size_t> wavelength) {
+/// The picture behind the bench, labeled in a convention; of one wavelength if that is all that the map needs.
+StokesImage seen_behind(const StokesImage& picture, const Bench& bench, const Convention& convention,
+                        std::optional<std::size_t> wavelength) {
     StokesImage seen;
     seen.width = picture.width;
     seen.height = picture.height;
@@ -65,9 +66,11 @@ StokesImage seen_behind(const StokesImage& picture, const Bench& bench, std::opt
         seen.wavelengths_nm.push_back(picture.wavelengths_nm[w]);
         if (!picture.brightest.empty()) seen.brightest.push_back(picture.brightest[w]);
     }
-    if (bench.empty()) return seen;
-    const MuellerMatrix<double> train = bench.mueller();
-    for (Stokes<double>& s : seen.stokes) s = train * s;
+    if (bench.empty() && convention == Convention{}) return seen;
+    const ShownPicture shown(picture, bench, convention);
+    for (std::size_t w = first; w < last; ++w)
+        for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+            seen.stokes[(w - first) * pixels + pixel] = shown.stokes(w, pixel);
     return seen;
 }
 
@@ -105,7 +108,8 @@ Result<Done> write_map(const StokesImage& picture, const ViewSettings& view, con
                        const fs::path& path, ExportProgress& progress) {
     const bool is_color = view.quantity == Quantity::color;
     const bool needs_all = is_color || view.over_intensity;
-    const StokesImage seen = seen_behind(picture, bench, needs_all ? std::nullopt : std::optional(view.wavelength));
+    const StokesImage seen =
+        seen_behind(picture, bench, view.convention, needs_all ? std::nullopt : std::optional(view.wavelength));
     progress = 0.2;
     auto map = reference ? Result<ColoredMap>(colorize(difference_map(picture, view, bench, *reference), options))
                          : draw_map(seen, view.quantity, needs_all ? view.wavelength : 0, options);
@@ -128,13 +132,17 @@ std::vector<bool> wanted_pixels(const Selection& selection, const StokesImage& p
     return wanted;
 }
 
-/// One line per pixel and wavelength; what is not defined, or has no sample yet, is left empty.
+/// One line per pixel and wavelength; what is not defined, or has no sample yet, is left empty. The last column says
+/// how S2, S3 and the angles are labeled.
 Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& wanted, const Bench& bench,
-                          const fs::path& path, ExportProgress& progress) {
+                          const Convention& convention, const fs::path& path, ExportProgress& progress) {
     auto file = OutputFile::create(path);
     if (!file) return file.error();
-    std::string text = "x,y,wavelength_nm,S0,S1,S2,S3,dop,azimuth_deg,ellipticity_angle_deg,residual,tail,samples\n";
-    const ShownPicture shown(picture, bench);
+    std::string text =
+        "x,y,wavelength_nm,S0,S1,S2,S3,dop,azimuth_deg,ellipticity_angle_deg,residual,tail,samples,"
+        "convention\n";
+    const ShownPicture shown(picture, bench, convention);
+    const std::string labels = convention.stokes_text();
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const std::size_t pixel = picture.pixel(x, y);
@@ -146,14 +154,14 @@ Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& w
                 const auto number = [&](bool defined, double value) {
                     return is_traced && defined ? fmt::to_string(value) : std::string();
                 };
-                fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", x, y,
+                fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", x, y,
                                picture.wavelengths_nm[w], number(true, s.s0), number(true, s.s1), number(true, s.s2),
                                number(true, s.s3), number(m.has_light, m.dop),
                                number(m.has_azimuth, degrees(m.azimuth)),
                                number(m.has_polarization, degrees(m.ellipticity_angle)),
                                is_traced ? picture.plane_value(picture.residual, w, pixel) : 1.0,
                                is_traced ? picture.plane_value(picture.tail, w, pixel) : 0.0,
-                               picture.samples.empty() ? "" : fmt::to_string(picture.samples[pixel]));
+                               picture.samples.empty() ? "" : fmt::to_string(picture.samples[pixel]), labels);
             }
         }
         file.value()->write(text.data(), text.size());
@@ -204,7 +212,7 @@ void export_map(Session& session) {
     const auto comparison = session.comparison();
     const fs::path path =
         free_export_path(session, stem_of(*document) + "-" + quantity + (comparison ? "-difference" : ""), ".png");
-    MapOptions options{view.style, std::nullopt, view.exposure, view.scale, view.offset, view.gamma};
+    MapOptions options = map_options(session);
     if (view.quantity != Quantity::color) {
         session.finish_shown_map();
         options.range = map_look(session).range;
@@ -230,10 +238,11 @@ void export_pixels(Session& session) {
     if (document == nullptr) return;
     session.catch_up();
     const fs::path path = free_export_path(session, stem_of(*document), ".csv");
-    session.exports.start("CSV of the pixels", path,
-                          [lent = document->lend_picture(),
-                           wanted = wanted_pixels(session.selection, document->picture()), bench = session.bench, path](
-                              ExportProgress& progress) { return write_pixels(*lent, wanted, bench, path, progress); });
+    session.exports.start(
+        "CSV of the pixels", path,
+        [lent = document->lend_picture(), wanted = wanted_pixels(session.selection, document->picture()),
+         bench = session.bench, convention = session.view.convention,
+         path](ExportProgress& progress) { return write_pixels(*lent, wanted, bench, convention, path, progress); });
 }
 
 void export_window(Session& session) {

@@ -19,15 +19,18 @@ std::filesystem::path free_export_path(const Session& session, const std::string
 // Each of them first takes over all that the workers have finished.
 
 /// Writes all wavelengths of what is there now as EXR, without stopping the render. What has no sample yet is black and
-/// wholly untraced in the file; a preview is no result. Nothing open: does nothing.
+/// wholly untraced in the file; a preview is no result. In the tracer's convention, as the file says. Nothing open:
+/// does nothing.
 void export_snapshot(Session& session);
 
 /// Writes the whole map on screen, at the picture's size, with color bar and legend as PNG: behind the bench, in the
-/// shown range, style and scale. The legend says so if samples are missing. Nothing open: does nothing.
+/// shown range, style, scale and convention, which the legend names. The legend says so if samples are missing. Nothing
+/// open: does nothing.
 void export_map(Session& session);
 
-/// Writes the marked pixels, else those of the region, else all, at all wavelengths as CSV, behind the bench. A pixel
-/// without a sample has no numbers. Nothing open: does nothing.
+/// Writes the marked pixels, else those of the region, else all, at all wavelengths as CSV, behind the bench, in the
+/// camera's frame and the shown convention, which is the last column. A pixel without a sample has no numbers. Nothing
+/// open: does nothing.
 void export_pixels(Session& session);
 
 /// Asks for the whole window as it will look in the next frame, menus closed (WindowState::picture_of_window).

@@ -55,6 +55,17 @@ std::vector<Glyph> glyphs_of(const ShownPicture& shown, std::size_t wavelength, 
     return glyphs;
 }
 
+std::string glyph_key(const Convention& convention) {
+    const bool mirrored = convention.viewpoint == Viewpoint::source;
+    return std::string("Blue: right-handed, turns ") +
+           (mirrored ? "counter-clockwise here, clockwise for the source" : "clockwise") +
+           "; yellow: left-handed; white: linear.";
+}
+
+bool is_right_handed(const Glyph& glyph, const Convention& convention) {
+    return (glyph.ellipticity > 0.0) == (convention.viewpoint == Viewpoint::receiver);
+}
+
 double glyph_radius(const Glyph& glyph, const GlyphSettings& settings) {
     const double longest = fill * settings.spacing;
     switch (settings.length) {

@@ -103,7 +103,7 @@ void Interface::draw_left(Session& session) {
     if (session.current() == nullptr) return;
     section("View", [&] { draw_view_controls(session); });
     section("Histogram", [&] { histogram_.draw(session); });
-    section("Ellipses", [&] { draw_glyph_controls(session.view.glyphs); });
+    section("Ellipses", [&] { draw_glyph_controls(session.view); });
     section("Bench", [&] { draw_bench_panel(session); });
 }
 

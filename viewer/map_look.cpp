@@ -6,28 +6,32 @@
 
 namespace pol {
 
-MapLook map_look(const Session& session) {
+MapOptions map_options(const Session& session) {
     const ViewSettings& view = session.view;
-    if (session.comparison()) {
-        const MapSummary& found = session.shown_map.summary();
-        return {view.scale.value_or(ColorScale::diverging),
-                view.difference_range[static_cast<std::size_t>(view.quantity)].value_or(
-                    range_of_differences(found.low, found.high))};
-    }
-    const MapOptions options{view.style, view.range[static_cast<std::size_t>(view.quantity)], view.exposure};
-    return {view.scale.value_or(scale_for(view.quantity, view.style)),
-            range_for(view.quantity, options, session.shown_map.summary().high)};
+    const bool is_difference = session.comparison().has_value();
+    MapOptions options;
+    options.style = view.style;
+    options.range = (is_difference ? view.difference_range : view.range)[static_cast<std::size_t>(view.quantity)];
+    options.exposure = view.exposure;
+    options.scale = view.scale;
+    options.offset = view.offset;
+    options.gamma = view.gamma;
+    options.fade_by_bar = view.fade_by_bar;
+    options.words = view.convention.scale_words(view.quantity, is_difference);
+    return options;
 }
 
-ScaleKind shown_kind(const Session& session) {
-    return session.comparison() ? ScaleKind::diverging : info(session.view.quantity).kind;
+MapScale map_look(const Session& session) {
+    const MapSummary& found = session.shown_map.summary();
+    return map_scale(session.view.quantity, session.comparison().has_value(), map_options(session), found.low,
+                     found.high);
 }
 
 namespace {
 
 /// Shown like a photograph: exposure and offset say what is black and what is white.
 bool is_photograph(const Session& session) {
-    const ScaleKind kind = shown_kind(session);
+    const ScaleKind kind = map_look(session).kind;
     return kind == ScaleKind::color || kind == ScaleKind::gray;
 }
 
@@ -66,12 +70,16 @@ void reset_bar_range(Session& session) {
     if (is_photograph(session)) session.view.exposure = session.view.offset = 0.0;
 }
 
+bool can_move_range(const Session& session) {
+    return map_look(session).kind != ScaleKind::cyclic || session.comparison().has_value();
+}
+
 void fit_bar_range(Session& session) {
-    const ScaleKind kind = shown_kind(session);
-    if (kind == ScaleKind::cyclic) return;
+    if (!can_move_range(session)) return;
+    const ScaleKind kind = map_look(session).kind;
     const MapSummary& found = session.shown_map.summary();
     MapRange range{found.low, found.high};
-    if (kind == ScaleKind::diverging) {
+    if (kind == ScaleKind::diverging || session.comparison()) {
         range.high = std::max(std::abs(found.low), std::abs(found.high));
         range.low = -range.high;
     }

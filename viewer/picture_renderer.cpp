@@ -49,6 +49,7 @@ std::string shader_constants() {
     add_state("undefined", PixelState::undefined);
     add_state("undetermined", PixelState::undetermined);
     add_state("not_a_number", PixelState::not_a_number);
+    add_state("unphysical", PixelState::unphysical);
     return text + "const int state_count = " + std::to_string(pixel_state_count) + ";\n";
 }
 
@@ -61,20 +62,16 @@ Float3 encoded(const Rgb8& color) {
     return to_single3(Rgb{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0});
 }
 
-/// Colors of the states, by state; the hatch's light stripes for
-/// `undetermined`. The paper's style has only black and the color of defects.
-std::array<Float3, pixel_state_count> state_colors(MapStyle style) {
+/// Colors of the states, by state; the hatch's light stripes for `undetermined`.
+std::array<Float3, pixel_state_count> state_colors(bool black_is_none) {
     std::array<Float3, pixel_state_count> colors{};
-    for (const PixelState state :
-         {PixelState::no_light, PixelState::undefined, PixelState::undetermined, PixelState::not_a_number}) {
-        if (style == MapStyle::paper && state != PixelState::not_a_number) continue;
-        colors[static_cast<std::size_t>(state)] = encoded(state_color(state, 0, 0));
-    }
+    for (std::size_t state = 1; state < pixel_state_count; ++state)
+        colors[state] = encoded(state_color(static_cast<PixelState>(state), 0, 0, black_is_none));
     return colors;
 }
 
-Float3 dark_stripes(MapStyle style) {
-    return style == MapStyle::paper ? Float3{} : encoded(state_color(PixelState::undetermined, 4, 0));
+Float3 dark_stripes() {
+    return encoded(state_color(PixelState::undetermined, 4, 0));
 }
 
 /// What fading ends in: the color of `undefined`, linear.
@@ -140,8 +137,10 @@ struct Drawn {
     float zoom = 1.0F;
     float hatch = 1.0F;
     Variant variant;
-    MapStyle style{};
     ColorScale scale{};
+    bool fades = true;
+    bool fades_by_bar = false;
+    bool black_is_none = false;
     float low = 0.0F;
     float high = 1.0F;
     float brightest = 0.0F;
@@ -157,7 +156,7 @@ struct Drawn {
 Drawn what_to_draw(const Session& session, int width, int height, double pixel_ratio) {
     const ViewSettings& view = session.view;
     const StokesImage& picture = session.current()->picture();
-    const MapLook look = map_look(session);
+    const MapScale look = map_look(session);
     const auto d65 = d65_at(picture.wavelengths_nm[view.wavelength]);
     const auto first_row = session.bench.mueller().m[0];
     Drawn drawn;
@@ -170,8 +169,10 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     const bool is_picture = view.quantity == Quantity::color;
     drawn.variant = {view.quantity, view.over_intensity && !is_picture, session.comparison().has_value(),
                      drawn.zoom < 1.0F};
-    drawn.style = view.style;
     drawn.scale = look.scale;
+    drawn.fades = look.can_fade();
+    drawn.fades_by_bar = look.can_fade() && view.fade_by_bar;
+    drawn.black_is_none = look.black_is_none;
     drawn.low = to_single(look.range.low);
     drawn.high = to_single(look.range.high);
     drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[view.wavelength]);
@@ -196,15 +197,16 @@ void set_uniforms(const Program& program, const Drawn& drawn) {
     program.set("d65", drawn.d65);
     program.set("noise", to_single(pixel_noise));
     program.set("full_weight", to_single(full_weight_polarization));
-    program.set("fades", drawn.style == MapStyle::paper ? 0 : 1);
+    program.set("fades", drawn.fades ? 1 : 0);
+    program.set("fades_by_bar", drawn.fades_by_bar ? 1 : 0);
     program.set("has_bench", drawn.has_bench ? 1 : 0);
     program.set("bench_row", drawn.bench_row);
     program.set("gain", drawn.gain);
     program.set("offset", drawn.offset);
     program.set("gamma", drawn.gamma);
     program.set("ground", fade_ground());
-    program.set("state_colors", state_colors(drawn.style));
-    program.set("hatch_dark", dark_stripes(drawn.style));
+    program.set("state_colors", state_colors(drawn.black_is_none));
+    program.set("hatch_dark", dark_stripes());
 }
 
 }  // namespace
@@ -223,6 +225,7 @@ struct PictureRenderer::Gpu {
     std::optional<std::uint64_t> layout;  ///< none: no picture
     std::size_t wavelength = 0;
     Bench bench;
+    Convention convention;
     std::optional<std::uint64_t> difference_version;  ///< of the session's shown map; none: no difference
     std::optional<ColorScale> scale_shown;
     /// What the target shows; none: not what the textures hold now.
@@ -253,7 +256,8 @@ void PictureRenderer::upload(Session& session) {
     const std::vector<TileRect> changes = document->take_changes();
 
     const bool is_new = gpu_->layout != document->picture_layout();
-    const bool is_other_light = session.view.wavelength != gpu_->wavelength || session.bench != gpu_->bench;
+    const bool is_other_light = session.view.wavelength != gpu_->wavelength || session.bench != gpu_->bench ||
+                                session.view.convention != gpu_->convention;
     if (is_new) {
         gpu_->stokes.resize(picture.width, picture.height);
         gpu_->left_out.resize(picture.width, picture.height);
@@ -262,8 +266,9 @@ void PictureRenderer::upload(Session& session) {
     gpu_->layout = document->picture_layout();
     gpu_->wavelength = session.view.wavelength;
     gpu_->bench = session.bench;
+    gpu_->convention = session.view.convention;
 
-    const ShownPicture shown(picture, session.bench);
+    const ShownPicture shown = session.shown_picture();
     const auto write_light = [&](const TileRect& rect) {
         const LightFloats floats = light_floats(shown, gpu_->wavelength, rect);
         gpu_->stokes.write(rect, floats.stokes);

@@ -6,21 +6,15 @@
 
 namespace pol {
 
-std::optional<double> QuantityReading::half_width() const {
-    if (!bar || pixel.state != PixelState::defined) return std::nullopt;
-    return pol::half_width(*bar, pixel.value);
-}
-
 QuantityReading PixelReading::quantity(Quantity quantity, std::size_t wavelength) const {
     const WavelengthReading& at = wavelengths[wavelength];
     if (quantity == Quantity::intensity && !at.d65) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
-    const double d65 = at.d65.value_or(1.0);
-    return {evaluate_light(at.light, quantity, d65), error_bar(at.light, quantity, d65)};
+    return read_light(at.light, quantity, at.d65.value_or(1.0));
 }
 
-PixelReading read_pixel(const Session& session, PixelAddress address) {
+PixelReading read_pixel(const Session& session, PixelAddress address, const Convention& convention) {
     const StokesImage& picture = session.current()->picture();
-    const ShownPicture shown(picture, session.bench);
+    const ShownPicture shown(picture, session.bench, convention);
     const std::size_t pixel = picture.pixel(address.x, address.y);
     PixelReading reading;
     reading.address = address;

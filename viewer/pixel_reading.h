@@ -8,26 +8,17 @@
 #include <optional>
 #include <vector>
 
-#include "maps/error_bars.h"
-#include "maps/evaluate.h"
 #include "maps/pixel_light.h"
 #include "spectrum/color.h"
 #include "viewer/selection.h"
 #include "viewer/session.h"
+#include "viewer/shown_quantity.h"
 
 namespace pol {
 
-/// One quantity with its rigorous bar, both in the quantity's unit.
-struct QuantityReading {
-    MapPixel pixel{};
-    std::optional<Interval<double>> bar;  ///< as error_bar (maps/error_bars.h)
-    /// Largest distance of the truth from the value. Empty without a bar or a value.
-    [[nodiscard]] std::optional<double> half_width() const;
-};
-
 struct WavelengthReading {
     double wavelength_nm = 0.0;
-    PixelLight light{};         ///< behind the bench
+    PixelLight light{};         ///< behind the bench, in the convention asked for
     double tail = 0.0;          ///< share of the throughput that random paths stand for
     double brightest = 0.0;     ///< trace bound of the light that any path can bring; 0: not known
     std::optional<double> d65;  ///< CIE D65 there; none outside its table
@@ -46,6 +37,10 @@ struct PixelReading {
 };
 
 /// Reads a pixel of the session's current picture. Requires: current() is not null, `address` lies inside the picture.
-PixelReading read_pixel(const Session& session, PixelAddress address);
+PixelReading read_pixel(const Session& session, PixelAddress address, const Convention& convention);
+/// The same in the shown convention.
+inline PixelReading read_pixel(const Session& session, PixelAddress address) {
+    return read_pixel(session, address, session.view.convention);
+}
 
 }  // namespace pol

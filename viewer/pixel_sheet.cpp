@@ -17,35 +17,43 @@ namespace pol {
 
 namespace {
 
-constexpr std::string_view plus_minus = "\u00b1 ";
 constexpr std::string_view degree = "\u00b0";
 
 std::string exact_text(double value, std::string_view unit) {
     return fmt::format("{:.17g}{}{}", value + 0.0, unit.empty() || unit == degree ? "" : " ", unit);
 }
 
-SheetRow row(std::string name, double value, double half_width, std::string_view unit, std::string_view help) {
+/// The same of a bar.
+std::string exact_text(const Interval<double>& bar, std::string_view unit) {
+    return fmt::format("[{}, {}]", exact_text(bar.low, unit), exact_text(bar.high, unit));
+}
+
+/// `rounding` as in number_text.
+SheetRow row(std::string name, double value, const std::optional<Interval<double>>& bar, double rounding,
+             std::string_view unit, std::string_view help) {
     SheetRow out{std::move(name), {}, {}, {}, help};
     if (!std::isfinite(value)) {
         out.value = "not a number";
         return out;
     }
-    out.value = short_number(value, 9) + std::string(unit);
+    const NumberText text = number_text(value, bar, rounding, 9, unit);
+    out.value = text.value;
+    out.bar = text.bar;
     out.exact = exact_text(value, unit);
-    if (half_width > 0.0) out.bar = std::string(plus_minus) + short_number(half_width, 2) + std::string(unit);
+    if (!out.bar.empty()) out.exact_bar = exact_text(*bar, unit);
     return out;
+}
+
+SheetRow exact_row(std::string name, double value, std::string_view unit, std::string_view help) {
+    return row(std::move(name), value, std::nullopt, 0.0, unit, help);
 }
 
 SheetRow words(std::string name, const std::string& value, std::string_view help) {
     return {std::move(name), value, {}, value, help};
 }
 
-std::string vector_text(const DVec3& v) {
-    return fmt::format("({}, {}, {})", short_number(v.x, 6), short_number(v.y, 6), short_number(v.z, 6));
-}
-
 SheetRow axis_row(std::string name, const DVec3& v, std::string_view help) {
-    return {std::move(name), vector_text(v), {}, fmt::format("({:.17g}, {:.17g}, {:.17g})", v.x, v.y, v.z), help};
+    return {std::move(name), vector_text(v, 1.0), {}, fmt::format("({:.17g}, {:.17g}, {:.17g})", v.x, v.y, v.z), help};
 }
 
 /// Axes of the pixel's centre in the scene, or none for a picture without one.
@@ -81,18 +89,42 @@ double frame_angle(const SheetSettings& settings, const std::optional<CameraRay>
     return std::atan2(along_y, along_x);
 }
 
-SheetGroup matrix_group(const PixelSheet& sheet, const PixelLight& light, const Convention& convention) {
+/// Bar of an amount of light: it grows by at most `share` of what is missing, and falls by as much of the surplus, but
+/// not below 0.
+Interval<double> one_sided(double amount, const PixelLight& light, double share) {
+    return {std::min(amount, std::max(0.0, amount - share * light.surplus)), amount + share * light.missing};
+}
+
+/// "0.25 - 0.1 i".
+std::string complex_text(const std::string& re, const std::string& im) {
+    const bool is_negative = im.front() == '-';
+    return fmt::format("{} {} {} i", re, is_negative ? '-' : '+', im.substr(is_negative ? 1 : 0));
+}
+
+/// Also fills the sheet's matrix_texts.
+SheetGroup matrix_group(PixelSheet& sheet, const PixelLight& light, const Convention& convention) {
     const CoherenceMatrix<double>& j = sheet.matrix;
     SheetGroup group{"Coherence matrix", {}};
     // J_true = J + A - B, both positive semidefinite: 0 <= A_xx <= tr A and |A_xy| <= tr A / 2, the same for B.
-    const double diagonal = std::max(light.missing, light.surplus);
-    const double radius = light.missing + light.surplus;
-    group.rows.push_back(row("Jxx", j.xx, diagonal, "", "<Ex Ex*>, radiance along x"));
-    group.rows.push_back(row("Re Jxy", j.xy.re, 0.5 * radius, "", "Real part of <Ex Ey*> = S2 / 2"));
-    group.rows.push_back(row("Im Jxy", j.xy.im, 0.5 * radius, "",
+    const auto diagonal = [&](double value) { return one_sided(value, light, 1.0); };
+    const double radius = 0.5 * (light.missing + light.surplus);
+    const auto around = [&](double value) { return Interval<double>{value - radius, value + radius}; };
+    const double rounding = rounding_of(light);
+    group.rows.push_back(row("Jxx", j.xx, diagonal(j.xx), rounding, "", "<Ex Ex*>, radiance along x"));
+    group.rows.push_back(row("Re Jxy", j.xy.re, around(j.xy.re), rounding, "", "Real part of <Ex Ey*> = S2 / 2"));
+    group.rows.push_back(row("Im Jxy", j.xy.im, around(j.xy.im), rounding, "",
                              convention.s3_of_matrix() > 0 ? "Imaginary part of <Ex Ey*> = S3 / 2"
                                                            : "Imaginary part of <Ex Ey*> = -S3 / 2"));
-    group.rows.push_back(row("Jyy", j.yy, diagonal, "", "<Ey Ey*>, radiance along y"));
+    group.rows.push_back(row("Jyy", j.yy, diagonal(j.yy), rounding, "", "<Ey Ey*>, radiance along y"));
+
+    if (!std::isfinite(j.xx + j.yy + j.xy.re + j.xy.im)) return group;
+    constexpr int digits = 4;  // what fits into a panel of 400 points
+    const auto text = [&](double value, const Interval<double>& bar) {
+        return number_text(value, bar, rounding, digits, "").value;
+    };
+    const std::string re = text(j.xy.re, around(j.xy.re));
+    sheet.matrix_texts = {text(j.xx, diagonal(j.xx)), complex_text(re, text(j.xy.im, around(j.xy.im))),
+                          complex_text(re, text(-j.xy.im, around(-j.xy.im))), text(j.yy, diagonal(j.yy))};
     return group;
 }
 
@@ -102,7 +134,7 @@ SheetGroup frame_group(const Document& document, const std::optional<CameraRay>&
     if (axes) {
         const double c = std::cos(angle);
         const double s = std::sin(angle);
-        group.rows.push_back(axis_row("x", convention.x_axis(angle == 0.0 ? axes->x : axes->x * c + axes->y * s),
+        group.rows.push_back(axis_row("x", convention.x_sign() * (angle == 0.0 ? axes->x : axes->x * c + axes->y * s),
                                       "Unit vector in the scene; image right in the camera frame"));
         group.rows.push_back(axis_row("y", angle == 0.0 ? axes->y : axes->y * c - axes->x * s,
                                       "Unit vector in the scene; image up in the camera frame"));
@@ -117,8 +149,9 @@ SheetGroup frame_group(const Document& document, const std::optional<CameraRay>&
                 words("frame", "the file says nothing; taken as camera frame", "x image right, y image up"));
     }
     if (angle != 0.0)
-        group.rows.push_back(row("turned by", degrees(angle), 0.0, degree,
-                                 "Angle from the camera's x to this x, towards the camera's y"));
+        group.rows.push_back(
+            exact_row("turned by", degrees(angle), degree,
+                      "Angle by which the axes are turned from the camera's x towards its y, as the receiver sees it"));
     return group;
 }
 
@@ -126,81 +159,99 @@ SheetGroup parts_group(const PixelSheet& sheet, const PixelLight& light) {
     const double s0 = sheet.stokes.s0;
     const double p = polarized_part(sheet.stokes);
     const double radius = light.missing + light.surplus;
-    const double one_sided = std::max(light.missing, light.surplus);
+    const double rounding = rounding_of(light);
     SheetGroup group{"Parts", {}};
-    group.rows.push_back(row("polarized", p, radius, "", "|(S1, S2, S3)|, radiance of the fully polarized part"));
-    group.rows.push_back(
-        row("unpolarized", s0 - p, 2.0 * one_sided, "", "S0 - |(S1, S2, S3)|, half of it in any state"));
-    group.rows.push_back(row("eigenvalue 1", 0.5 * (s0 + p), one_sided, "", "Larger eigenvalue of J, (S0 + |S|) / 2"));
-    group.rows.push_back(row("eigenvalue 2", 0.5 * (s0 - p), one_sided, "", "Smaller eigenvalue of J, (S0 - |S|) / 2"));
+    // Weyl: adding A and taking B away moves each eigenvalue up by at most tr A and down by at most tr B.
+    const auto add = [&](const char* name, double value, double share, const char* help) {
+        group.rows.push_back(row(name, value, one_sided(value, light, share), rounding, "", help));
+    };
+    group.rows.push_back(row("polarized", p, Interval<double>{std::max(0.0, p - radius), p + radius}, rounding, "",
+                             "|(S1, S2, S3)|, radiance of the fully polarized part"));
+    add("unpolarized", s0 - p, 2.0, "S0 - |(S1, S2, S3)|, half of it in any state");
+    add("eigenvalue 1", 0.5 * (s0 + p), 1.0, "Larger eigenvalue of J, (S0 + |S|) / 2");
+    add("eigenvalue 2", 0.5 * (s0 - p), 1.0, "Smaller eigenvalue of J, (S0 - |S|) / 2");
     return group;
 }
 
-SheetGroup stokes_group(const PixelSheet& sheet, const PixelLight& light) {
+SheetGroup stokes_group(const PixelSheet& sheet, const PixelLight& light, const Convention& convention) {
     const Stokes<double>& s = sheet.stokes;
-    const double radius = light.missing + light.surplus;
+    const auto bars = stokes_bars(light);
+    const double rounding = rounding_of(light);
     SheetGroup group{"Stokes vector", {}};
-    group.rows.push_back(row("S0", s.s0, std::max(light.missing, light.surplus), "", "Jxx + Jyy, spectral radiance"));
-    group.rows.push_back(row("S1", s.s1, radius, "", "Jxx - Jyy: along x minus along y"));
-    group.rows.push_back(row("S2", s.s2, radius, "", "+45 degrees minus -45 degrees"));
-    group.rows.push_back(row("S3", s.s3, radius, "", "Circular: right minus left, or as the convention has it"));
+    const auto add = [&](const char* name, double value, Interval<double> MeasureBounds<double>::*bar,
+                         std::string_view help) {
+        group.rows.push_back(row(name, value, bars ? std::optional((*bars).*bar) : std::nullopt, rounding, "", help));
+    };
+    add("S0", s.s0, &MeasureBounds<double>::s0, "Jxx + Jyy, spectral radiance");
+    add("S1", s.s1, &MeasureBounds<double>::s1, "Jxx - Jyy: along x minus along y");
+    add("S2", s.s2, &MeasureBounds<double>::s2, "+45 degrees minus -45 degrees");
+    add("S3", s.s3, &MeasureBounds<double>::s3,
+        convention.handedness_name(1) == "right" ? "Circular: right minus left" : "Circular: left minus right");
     return group;
 }
 
 /// As the maps see it, so that hover and inspector agree about what is undefined.
-SheetRow measure_row(std::string name, const PixelLight& light, Quantity quantity, double value, std::string_view unit,
-                     std::string_view help) {
-    const MapPixel pixel = evaluate_light(light, quantity, 1.0);
-    if (pixel.state != PixelState::defined && pixel.state != PixelState::undetermined)
-        return {std::move(name), std::string(state_text(pixel.state)), {}, {}, help};
-    double bar = 0.0;
-    if (const auto interval = error_bar(light, quantity, 1.0))
-        bar = half_width(*interval, quantity == Quantity::azimuth ? degrees(measure(light.stokes).azimuth) : value);
-    SheetRow out = row(std::move(name), value, bar, unit, help);
-    if (pixel.state == PixelState::undetermined) out.bar = "not determined";
+SheetRow measure_row(std::string name, const QuantityReading& reading, std::string_view unit, std::string_view help) {
+    if (reading.pixel.state == PixelState::defined)
+        return row(std::move(name), reading.pixel.value, reading.bar, reading.rounding, unit, help);
+    SheetRow out{std::move(name), std::string(state_text(reading.pixel.state)), {}, {}, help};
+    if (reading.pixel.state != PixelState::undetermined || !reading.bar) return out;
+    out.bar = interval_text(*reading.bar, reading.rounding, unit);
+    out.exact_bar = exact_text(*reading.bar, unit);
+    return out;
+}
+
+/// Right, left or linear, where no light that is missing can make it another one.
+SheetRow handedness_row(const QuantityReading& reading, int handedness, const Convention& convention) {
+    SheetRow out{"handedness", std::string(state_text(reading.pixel.state)), {}, {}, "Clockwise for who looks: right"};
+    if (reading.pixel.state != PixelState::defined) return out;
+    const bool has_bar = reading.bar && reading.bar->width() > reading.rounding;
+    const bool may_be_other = has_bar && (handedness == 0 || (reading.bar->low <= 0.0 && reading.bar->high >= 0.0));
+    out.value = may_be_other      ? std::string(state_text(PixelState::undetermined))
+                : handedness == 0 ? "linear"
+                                  : std::string(convention.handedness_name(handedness));
+    if (!may_be_other) out.exact = out.value;
     return out;
 }
 
 SheetGroup measures_group(const PixelSheet& sheet, const PixelLight& light, const Convention& convention) {
     const Measures<double>& m = sheet.measures;
     SheetGroup group{"Measures", {}};
-    const auto add = [&](const char* name, Quantity quantity, double value, std::string_view unit,
-                         std::string_view help) {
-        group.rows.push_back(measure_row(name, light, quantity, value, unit, help));
+    const auto read = [&](Quantity quantity) { return read_light(light, quantity, 1.0); };
+    const auto add = [&](const char* name, Quantity quantity, std::string_view help) {
+        group.rows.push_back(measure_row(name, read(quantity), info(quantity).unit, help));
     };
-    add("DoP", Quantity::dop, m.dop, "", info(Quantity::dop).definition);
-    add("DoLP", Quantity::dolp, m.dolp, "", info(Quantity::dolp).definition);
-    add("DoCP", Quantity::docp, m.docp, "", info(Quantity::docp).definition);
-    add("ellipticity b/a", Quantity::ellipticity, m.ellipticity, "", info(Quantity::ellipticity).definition);
-    SheetRow chi = measure_row("ellipticity angle", light, Quantity::ellipticity, degrees(m.ellipticity_angle), degree,
-                               "atan2(S3, |(S1, S2)|) / 2, sign of S3");
-    if (!chi.exact.empty() && chi.bar != "not determined") {
-        const auto bars = error_bars(light);
-        const double width = bars ? degrees(half_width(bars->ellipticity_angle, m.ellipticity_angle)) : 0.0;
-        chi = row(chi.name, degrees(m.ellipticity_angle), width, degree, chi.help);
-    }
-    group.rows.push_back(std::move(chi));
-    add("azimuth", Quantity::azimuth, degrees(m.azimuth), degree,
-        "atan2(S2, S1) / 2: major axis of the ellipse, from x towards y");
-    SheetRow hand = measure_row("handedness", light, Quantity::handedness, 0.0, "", "Clockwise for who looks: right");
-    if (!hand.exact.empty()) {
-        hand.exact = m.handedness == 0 ? std::string("linear") : std::string(convention.handedness_name(m.handedness));
-        hand.value = hand.exact;
-        hand.bar = hand.bar == "not determined" ? hand.bar : std::string();
-    }
-    group.rows.push_back(std::move(hand));
+    add("DoP", Quantity::dop, info(Quantity::dop).definition);
+    add("DoLP", Quantity::dolp, info(Quantity::dolp).definition);
+    add("DoCP", Quantity::docp, info(Quantity::docp).definition);
+    add("ellipticity b/a", Quantity::ellipticity, info(Quantity::ellipticity).definition);
+    // Known as well as the handedness, which is the sine of twice this angle.
+    const auto bars = error_bars(light);
+    QuantityReading chi = read(Quantity::handedness);
+    chi.pixel.value = degrees(m.ellipticity_angle);
+    chi.rounding *= 90.0;
+    if (bars) chi.bar = Interval<double>{degrees(bars->ellipticity_angle.low), degrees(bars->ellipticity_angle.high)};
+    group.rows.push_back(measure_row("ellipticity angle", chi, degree, "atan2(S3, |(S1, S2)|) / 2, sign of S3"));
+    add("azimuth", Quantity::azimuth, "atan2(S2, S1) / 2: major axis of the ellipse, from x towards y");
+    group.rows.push_back(handedness_row(read(Quantity::handedness), m.handedness, convention));
     return group;
+}
+
+/// The angle of the frame on screen; 0 where there is no such frame.
+double shown_angle(const Session& session) {
+    std::string trouble;
+    return frame_angle(session.sheet, camera_axes(*session.current(), *session.selection.pinned()), trouble);
 }
 
 SheetGroup making_group(const PixelReading& reading, const WavelengthReading& at) {
     SheetGroup group{"How it was made", {}};
     if (reading.samples)
-        group.rows.push_back(row("samples", *reading.samples, 0.0, "", "Rays through this pixel so far"));
-    group.rows.push_back(row("residual", at.light.residual, 0.0, "", info(Quantity::residual).definition));
-    group.rows.push_back(row("tail", at.tail, 0.0, "", "Share of the throughput that one random path stands for"));
+        group.rows.push_back(exact_row("samples", *reading.samples, "", "Rays through this pixel so far"));
+    group.rows.push_back(exact_row("residual", at.light.residual, "", info(Quantity::residual).definition));
+    group.rows.push_back(exact_row("tail", at.tail, "", "Share of the throughput that one random path stands for"));
     if (at.brightest > 0.0)
-        group.rows.push_back(row("brightest", at.brightest, 0.0, "", "Most S0 that any path can bring"));
-    group.rows.push_back(row("failures", reading.failures.value_or(0), 0.0, "", "Samples whose arithmetic failed"));
+        group.rows.push_back(exact_row("brightest", at.brightest, "", "Most S0 that any path can bring"));
+    group.rows.push_back(exact_row("failures", reading.failures.value_or(0), "", "Samples whose arithmetic failed"));
     return group;
 }
 
@@ -224,10 +275,15 @@ WavelengthReading reading_of(const Explanation& e, const Plan& plan, const Bench
 
 }  // namespace
 
-std::string complex_text(const Complex<double>& z, int digits) {
+std::string complex_text(const Complex<double>& z, int digits, double size) {
     if (!std::isfinite(z.re) || !std::isfinite(z.im)) return "not a number";
-    return fmt::format("{} {} {} i", short_number(z.re, digits), z.im < 0.0 ? '-' : '+',
-                       short_number(std::abs(z.im), digits));
+    const double largest = std::max({size, std::abs(z.re), std::abs(z.im)});
+    return complex_text(short_number(z.re, digits, largest), short_number(z.im, digits, largest));
+}
+
+std::string vector_text(const DVec3& v, double size) {
+    return fmt::format("({}, {}, {})", short_number(v.x, 6, size), short_number(v.y, 6, size),
+                       short_number(v.z, 6, size));
 }
 
 std::string exact_text(const Complex<double>& z) {
@@ -236,10 +292,13 @@ std::string exact_text(const Complex<double>& z) {
 
 PixelSheet make_pixel_sheet(const Session& session) {
     const SheetSettings& settings = session.sheet;
+    const Convention& convention = session.view.convention;
     const Document& document = *session.current();
     PixelSheet sheet;
     sheet.pixel = *session.selection.pinned();
-    const PixelReading reading = read_pixel(session, sheet.pixel);
+    sheet.convention = convention.text();
+    // The frame is turned before the convention labels it.
+    const PixelReading reading = read_pixel(session, sheet.pixel, Convention{});
     WavelengthReading at = reading.wavelengths[std::min(session.view.wavelength, reading.wavelengths.size() - 1)];
     if (reading.samples == 0U && session.explanation() != nullptr) {
         at = reading_of(*session.explanation(), *document.plan(), session.bench);
@@ -251,45 +310,53 @@ PixelSheet make_pixel_sheet(const Session& session) {
     const double angle = frame_angle(settings, axes, sheet.trouble);
     const Stokes<double> turned = angle == 0.0 ? at.light.stokes : rotate_basis(at.light.stokes, angle);
     const double noise = noise_threshold(1000.0);
-    sheet.seen = measure(Convention{settings.convention.viewpoint}.stokes(turned), noise);
+    sheet.seen = measure(Convention{convention.viewpoint}.stokes(turned), noise);
     PixelLight light = at.light;
-    light.stokes = sheet.stokes = settings.convention.stokes(turned);
+    light.stokes = sheet.stokes = convention.stokes(turned);
     sheet.measures = measure(sheet.stokes, noise);
-    sheet.matrix = settings.convention.matrix(to_coherence(turned));
-    sheet.groups = {matrix_group(sheet, light, settings.convention),
-                    frame_group(document, axes, angle, settings.convention),
-                    stokes_group(sheet, light),
-                    measures_group(sheet, light, settings.convention),
+    sheet.matrix = convention.matrix(to_coherence(turned));
+    sheet.groups = {matrix_group(sheet, light, convention),
+                    frame_group(document, axes, angle, convention),
+                    stokes_group(sheet, light, convention),
+                    measures_group(sheet, light, convention),
                     parts_group(sheet, light),
                     making_group(reading, at)};
     return sheet;
 }
 
-double sheet_frame_angle(const Session& session) {
-    std::string trouble;
-    return frame_angle(session.sheet, camera_axes(*session.current(), *session.selection.pinned()), trouble);
+SheetAxes sheet_axes(const Session& session) {
+    const double angle = shown_angle(session);
+    return {session.view.convention.x_sign() * DVec2(std::cos(angle), -std::sin(angle)),
+            {-std::sin(angle), -std::cos(angle)}};
 }
 
 std::vector<SheetCurve> spectrum_curves(const Session& session) {
-    const PixelReading reading = read_pixel(session, *session.selection.pinned());
-    const double angle = sheet_frame_angle(session);
+    const PixelReading reading = read_pixel(session, *session.selection.pinned(), Convention{});
+    const double angle = shown_angle(session);
     std::vector<SheetCurve> curves;
-    SheetCurve s0{"S0", {}, 0.0, 0.0, false};
+    SheetCurve s0{"S0", {}, {}, 0.0, 0.0, false};
     for (const WavelengthReading& at : reading.wavelengths) {
         const double value = at.light.stokes.s0;
+        const auto bars = stokes_bars(at.light);
+        const NumberText text =
+            number_text(value, bars ? std::optional(bars->s0) : std::nullopt, rounding_of(at.light), 6, "");
+        s0.texts.push_back(std::isfinite(value) ? text.value + (text.bar.empty() ? "" : " " + text.bar)
+                                                : std::string(state_text(PixelState::not_a_number)));
         s0.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
         if (std::isfinite(value)) s0.high = std::max(s0.high, value);
     }
     curves.push_back(std::move(s0));
     for (const Quantity quantity : {Quantity::dop, Quantity::azimuth, Quantity::ellipticity}) {
         const QuantityInfo& about = info(quantity);
-        SheetCurve curve{std::string(about.title), {}, about.low, about.high, about.kind == ScaleKind::cyclic};
+        SheetCurve curve{std::string(about.title), {}, {}, about.low, about.high, about.kind == ScaleKind::cyclic};
         if (!about.unit.empty()) curve.name += fmt::format(" ({})", about.unit);
         for (const WavelengthReading& at : reading.wavelengths) {
             PixelLight light = at.light;
-            light.stokes = session.sheet.convention.stokes(rotate_basis(at.light.stokes, angle));
-            const MapPixel pixel = evaluate_light(light, quantity, 1.0);
+            light.stokes = session.view.convention.stokes(rotate_basis(at.light.stokes, angle));
+            const QuantityReading shown = read_light(light, quantity, 1.0);
+            const MapPixel& pixel = shown.pixel;
             curve.values.push_back(pixel.state == PixelState::defined ? std::optional(pixel.value) : std::nullopt);
+            curve.texts.push_back(reading_text(quantity, shown));
         }
         curves.push_back(std::move(curve));
     }
@@ -297,12 +364,13 @@ std::vector<SheetCurve> spectrum_curves(const Session& session) {
 }
 
 std::string text_of(const PixelSheet& sheet) {
-    std::string out = fmt::format("pixel {},{}  {} nm\n", sheet.pixel.x, sheet.pixel.y, sheet.wavelength_nm);
+    std::string out =
+        fmt::format("pixel {},{}  {} nm\n{}\n", sheet.pixel.x, sheet.pixel.y, sheet.wavelength_nm, sheet.convention);
     for (const SheetGroup& group : sheet.groups) {
         out += "\n" + group.title + "\n";
         for (const SheetRow& r : group.rows)
             out += fmt::format("{:<18} {}{}{}\n", r.name, r.exact.empty() ? r.value : r.exact,
-                               r.bar.empty() ? "" : "  ", r.bar);
+                               r.exact_bar.empty() ? "" : "  ", r.exact_bar);
     }
     return out;
 }

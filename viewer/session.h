@@ -60,6 +60,8 @@ public:
     [[nodiscard]] Result<Comparison> compare() const;
     /// The comparison on screen; none if no difference is shown: not asked for, not possible, or of color.
     [[nodiscard]] std::optional<Comparison> comparison() const;
+    /// The picture on screen, behind the bench and in the shown convention. Requires: a document is shown.
+    [[nodiscard]] ShownPicture shown_picture() const { return {current()->picture(), bench, view.convention}; }
     /// The quantity on screen, or its difference. Requires: a document is shown, the quantity is not `color`.
     [[nodiscard]] ShownQuantity shown_quantity() const;
     /// Shows the difference from the reference, or the map itself again. Of color there is none: it shows the

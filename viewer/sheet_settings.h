@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "viewer/convention.h"
-
 namespace pol {
 
 /// What x is in the frame that the light is written in; y is across it and k along the light.
@@ -14,7 +12,6 @@ enum class FrameChoice : std::uint8_t { camera, scene_x, scene_y, scene_z, own_a
 struct SheetSettings {
     FrameChoice frame = FrameChoice::camera;
     double own_angle = 0.0;  ///< radians from the camera's x towards its y, as the receiver sees it
-    Convention convention{};
     friend bool operator==(const SheetSettings&, const SheetSettings&) = default;
 };
 

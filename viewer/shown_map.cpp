@@ -77,7 +77,7 @@ void ShownMap::evaluate_row(const Document& document, const Bench& bench, const 
         }
         values_[pixel] = value.value;
         states_[pixel] = value.state;
-        weights_[pixel] = static_cast<float>(value.weight);
+        weights_[pixel] = static_cast<float>(key_.fade_by_bar ? value.weight * value.certainty : value.weight);
     }
     known_[static_cast<std::size_t>(y)] = true;
 }
@@ -107,7 +107,7 @@ void ShownMap::summarize(int width) {
 
 bool ShownMap::update(const Document& document, const ViewSettings& view, const Bench& bench, double seconds,
                       bool grows, const std::optional<Comparison>& comparison) {
-    Key key{document.picture_layout(), view.quantity, view.wavelength, bench, 0, 0};
+    Key key{document.picture_layout(), view.quantity, view.wavelength, bench, 0, 0, view.convention, view.fade_by_bar};
     const double start = now_s();
     key_version_ = document.picture_version();
     if (comparison) {

@@ -57,7 +57,7 @@ public:
     /// By pixel; only the value of a `defined` one means anything. Rows not looked at yet are `undetermined`.
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
     [[nodiscard]] const std::vector<PixelState>& states() const { return states_; }
-    /// MapPixel::weight by pixel; 1 for the color picture.
+    /// MapPixel::weight by pixel, times the certainty if the view fades by the bar; 1 for the color picture.
     [[nodiscard]] const std::vector<float>& weights() const { return weights_; }
     [[nodiscard]] bool knows_row(int y) const { return known_[static_cast<std::size_t>(y)]; }
 
@@ -69,6 +69,8 @@ private:
         Bench bench;
         std::uint64_t reference_layout = 0;  // 0: no reference
         std::size_t reference_wavelength = 0;
+        Convention convention;
+        bool fade_by_bar = false;
         friend bool operator==(const Key&, const Key&) = default;
     };
     void restart(const Document& document, const Key& key);

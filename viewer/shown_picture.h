@@ -8,19 +8,21 @@
 #include "film/stokes_image.h"
 #include "maps/pixel_light.h"
 #include "viewer/bench.h"
+#include "viewer/convention.h"
 
 namespace pol {
 
-/// The picture as the sensor behind the bench sees it. Borrows the picture: made anew for every frame.
+/// The picture as the sensor behind the bench sees it, labeled in some convention. Every number on screen comes through
+/// here. Borrows the picture: made anew for every frame.
 class ShownPicture {
 public:
-    ShownPicture(const StokesImage& picture, const Bench& bench) : picture_(picture) {
+    ShownPicture(const StokesImage& picture, const Bench& bench, const Convention& convention = {})
+        : picture_(picture), convention_(convention) {
         if (!bench.empty()) train_ = bench.mueller();
     }
     /// Requires: indices inside the picture.
     [[nodiscard]] PixelLight light(std::size_t wavelength, std::size_t pixel) const {
-        const PixelLight light = pixel_light(picture_, wavelength, pixel);
-        return train_ ? behind(*train_, light) : light;
+        return labeled(pixel_light(picture_, wavelength, pixel));
     }
     /// The same of the mean light of a rectangle. Requires: it lies inside the picture and is not empty.
     [[nodiscard]] PixelLight mean_light(std::size_t wavelength, const TileRect& rect) const {
@@ -40,16 +42,23 @@ public:
         mean.missing *= share;
         mean.surplus *= share;
         mean.residual *= share;
-        return train_ ? behind(*train_, mean) : mean;
+        return labeled(mean);
     }
     [[nodiscard]] Stokes<double> stokes(std::size_t wavelength, std::size_t pixel) const {
         const Stokes<double>& s = picture_.at(wavelength, pixel);
-        return train_ ? *train_ * s : s;
+        return convention_.stokes(train_ ? *train_ * s : s);
     }
     [[nodiscard]] const StokesImage& picture() const { return picture_; }
 
 private:
+    [[nodiscard]] PixelLight labeled(const PixelLight& light) const {
+        PixelLight seen = train_ ? behind(*train_, light) : light;
+        seen.stokes = convention_.stokes(seen.stokes);
+        return seen;
+    }
+
     const StokesImage& picture_;
+    Convention convention_;
     std::optional<MuellerMatrix<double>> train_;  // none: the light arrives as it is
 };
 

@@ -24,6 +24,16 @@ void SphereView::drag(const DVec2& by) {
     latitude = std::clamp(latitude + by.y, -0.5 * pi, 0.5 * pi);
 }
 
+std::array<SphereLabel, 6> sphere_labels(const Convention& convention) {
+    const bool right_is_up = convention.positive_s3 == PositiveS3::right;
+    return {{{{1.0, 0.0, 0.0}, "H"},
+             {{-1.0, 0.0, 0.0}, "V"},
+             {{0.0, 1.0, 0.0}, "+45"},
+             {{0.0, -1.0, 0.0}, "-45"},
+             {{0.0, 0.0, 1.0}, right_is_up ? "R" : "L"},
+             {{0.0, 0.0, -1.0}, right_is_up ? "L" : "R"}}};
+}
+
 std::optional<SpherePoint> sphere_point(const Stokes<double>& light) {
     const DVec3 place = DVec3(light.s1, light.s2, light.s3) / light.s0;
     if (!(light.s0 > 0.0) || !std::isfinite(place.x + place.y + place.z)) return std::nullopt;
@@ -51,12 +61,13 @@ std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t wa
     return points;
 }
 
-std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Bench& bench, std::size_t most) {
+std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Bench& bench, const Convention& convention,
+                                       std::size_t most) {
     std::vector<SpherePoint> points;
     for (const int leaf : explanation.tree.leaves) {
         const RayTreeNode& node = explanation.tree.nodes[static_cast<std::size_t>(leaf)];
         if (points.size() == most) break;
-        auto point = sphere_point(bench.empty() ? node.share : bench.mueller() * node.share);
+        auto point = sphere_point(convention.stokes(bench.empty() ? node.share : bench.mueller() * node.share));
         if (!point) continue;
         point->wavelength = static_cast<std::size_t>(explanation.wavelength);
         point->node = leaf;

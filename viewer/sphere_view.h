@@ -2,8 +2,10 @@
 // The Poincare sphere as it is looked at, and the points in it. No ImGui.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/vec.h"
@@ -35,6 +37,14 @@ struct SpherePoint {
     std::optional<int> node;
 };
 
+/// A name beside the sphere.
+struct SphereLabel {
+    DVec3 at{0.0, 0.0, 0.0};
+    std::string text;
+};
+/// H, V, +45, -45, R and L where this convention has them.
+std::array<SphereLabel, 6> sphere_labels(const Convention& convention);
+
 /// Empty unless S0 > 0 and everything is finite.
 std::optional<SpherePoint> sphere_point(const Stokes<double>& light);
 
@@ -43,8 +53,10 @@ std::optional<SpherePoint> sphere_point(const Stokes<double>& light);
 std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t wavelength, const TileRect& region,
                                        std::size_t most);
 
-/// What each leaf brings to the pixel, in the pixel's frame, behind the elements of `bench`: the first `most` of them.
-std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Bench& bench, std::size_t most);
+/// What each leaf brings to the pixel, in the pixel's frame, behind the elements of `bench` and labeled in
+/// `convention`: the first `most` of them.
+std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Bench& bench, const Convention& convention,
+                                       std::size_t most);
 
 /// Every pixel of `region` whose point is seen inside the polygon (in the coordinates of SphereView::seen), on the half
 /// that faces the viewer if `front_only`. As long as the picture has pixels.

@@ -9,6 +9,7 @@
 
 #include "maps/colorize.h"
 #include "maps/quantity.h"
+#include "viewer/convention.h"
 
 namespace pol {
 
@@ -37,8 +38,10 @@ struct ViewSettings {
     double offset = 0.0;          ///< added after exposure; color and intensity
     double gamma = 1.0;           ///< value^(1/gamma) after offset, on top of sRGB; color and intensity
     bool over_intensity = false;  ///< the map's color times the picture's lightness
+    bool fade_by_bar = false;     ///< the wider the error bar, the weaker the color
     bool numbers_in_pixels = true;
     GlyphSettings glyphs;
+    Convention convention{};  ///< labels of everything that shows the picture's light
 };
 
 }  // namespace pol

@@ -39,6 +39,7 @@ struct Request {
     std::string style = "scientific";
     double exposure = 0.0;
     std::vector<double> range;
+    bool fade_by_bar = false;
     bool plain = false;
 };
 
@@ -68,6 +69,7 @@ Result<MapOptions> wanted_options(const Request& request) {
                            "scientific, paper or wilkie");
     }
     MapOptions options{style->second, std::nullopt, request.exposure};
+    options.fade_by_bar = request.fade_by_bar;
     if (!std::isfinite(request.exposure) || std::abs(request.exposure) > 1000.0) {
         return usage_error("--exposure", fmt::format("{} is no number of stops", request.exposure), "for example -2");
     }
@@ -103,9 +105,12 @@ Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t 
                        const Request& request, const fs::path& output) {
     const Result<ColoredMap> map = draw_map(image, quantity, wavelength, options);
     if (!map) return map.error();
-    const std::size_t bad = map.value().state_count[static_cast<std::size_t>(PixelState::not_a_number)];
-    if (bad > 0)
-        remark(fmt::format("{}: {} pixels of '{}' are not a number\n", request.input, bad, info(quantity).name));
+    const auto warn_of = [&](PixelState state, std::string_view what) {
+        const std::size_t bad = map.value().state_count[static_cast<std::size_t>(state)];
+        if (bad > 0) remark(fmt::format("{}: {} pixels of '{}' {}\n", request.input, bad, info(quantity).name, what));
+    };
+    warn_of(PixelState::not_a_number, "are not a number");
+    warn_of(PixelState::unphysical, "are unphysical: negative S0 or residual, or polarized light without S0");
     if (request.plain) return write_png(map.value().picture, output);
     const Result<RgbPicture> picture = map_picture(map.value(), caption_of(image, request.input));
     if (!picture) return picture.error();
@@ -154,8 +159,10 @@ std::string footer() {
         "  all                every map, as NAME.png in the folder OUT\n"
         "\nStyles:\n"
         "  scientific         scales that can be read without color vision; gray where a map is undefined,\n"
-        "                     hatched where too much light was left out to know, magenta where not a number\n"
-        "  paper              value times D65: white is 1; black is 0, undefined or unknown\n"
+        "                     hatched where too much light was left out to know, magenta where not a number,\n"
+        "                     dark magenta where S0 is negative\n"
+        "  paper              value times D65: white is 1; black is 0, no light or unpolarized. Signed maps and the\n"
+        "                     azimuth, which the paper does not draw, as scientific\n"
         "  wilkie             the colors of Wilkie & Weidlich 2010\n"
         "\nExamples:\n"
         "  polariscope maps stone.exr --map dop -o dop.png\n"
@@ -180,6 +187,8 @@ void add_maps_command(CLI::App& app, int& exit_code) {
     command->add_option("--range", request->range, "LO,HI: values at the ends of the color bar")
         ->delimiter(',')
         ->expected(1, 2);
+    command->add_flag("--fade-by-bar", request->fade_by_bar,
+                      "fade as the error bar widens, to gray where it covers half of the range; not on gray scales");
     command->add_flag("--plain", request->plain, "the pixels of the map alone, without bar and legend");
     command->footer(footer());
     command->callback([request, &exit_code] {

@@ -28,7 +28,7 @@ constexpr int largest_canvas = 32000;
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-/// One line of the legend: a colored box and what it means. A faded entry has no single state.
+/// One line of the legend: a colored box and what it means. A box that fades has no single state.
 struct LegendEntry {
     PixelState state = PixelState::defined;
     std::string text;
@@ -46,17 +46,18 @@ std::vector<LegendEntry> legend_of(const ColoredMap& map) {
         const std::size_t count = map.state_count[static_cast<std::size_t>(state)];
         if (count > 0) entries.push_back({state, fmt::format("{} ({})", text, percentage(count, total))});
     };
-    const bool is_black = map.style == MapStyle::paper;
     if (map.fades)
         entries.push_back(
             {PixelState::defined, fmt::format("fades below {} % polarized", 100.0 * full_weight_polarization)});
-    if (!is_black) {
-        const bool needs_axis = map.quantity == Quantity::azimuth || map.quantity == Quantity::azimuth_error;
-        add(PixelState::no_light, "no light");
-        add(PixelState::undefined, needs_axis ? "unpolarized or circular" : "unpolarized");
-        add(PixelState::undetermined, "not determined: too much light not traced");
-    }
+    if (map.fades_by_bar)
+        entries.push_back({PixelState::defined, "fades as the error bar widens to half of the range"});
+    const bool needs_axis = map.quantity == Quantity::azimuth || map.quantity == Quantity::azimuth_error;
+    const std::string as_none = map.black_is_none ? ", drawn as 0" : "";
+    add(PixelState::no_light, "no light" + as_none);
+    add(PixelState::undefined, (needs_axis ? "unpolarized or circular" : "unpolarized") + as_none);
+    add(PixelState::undetermined, "not determined: too much light not traced");
     add(PixelState::not_a_number, "not a number");
+    add(PixelState::unphysical, "unphysical: negative S0 or residual, or polarized light without S0");
     return entries;
 }
 
@@ -96,7 +97,7 @@ public:
         : map_(map), caption_(caption), legend_(legend_of(map)), title_(title_of(map)) {
         if (map.scale) {
             for (const double tick : bar_ticks(map.range, map.kind())) {
-                ticks_.emplace_back(tick, number_text(tick) + degree_sign());
+                ticks_.emplace_back(tick, number_text(tick) + degree_sign() + end_word(tick, map.range, map.words));
             }
         }
         arrange();
@@ -159,7 +160,8 @@ private:
         double bottom = l.picture_top + l.shown_height;
 
         if (map_.scale) {
-            const bool has_wheel = *map_.scale == ColorScale::cyclic || *map_.scale == ColorScale::wilkie_orientation;
+            // Differences are no directions of the picture.
+            const bool has_wheel = map_.kind() == ScaleKind::cyclic && !map_.is_difference;
             double label_width = text_width(bar_heading(), text_size(), CAIRO_FONT_WEIGHT_NORMAL);
             for (const auto& [value, text] : ticks_) {
                 label_width = std::max(label_width, text_width(text, text_size(), CAIRO_FONT_WEIGHT_NORMAL));
@@ -209,9 +211,8 @@ private:
 
     [[nodiscard]] std::vector<std::string> range_notes() const {
         std::vector<std::string> notes;
-        if (map_.style == MapStyle::paper && !map_.is_difference && map_.quantity != Quantity::color) {
-            notes.emplace_back("value \u00d7 D65; black also where undefined");
-        }
+        if (map_.black_is_none && !map_.is_difference) notes.emplace_back("value \u00d7 D65");
+        if (!map_.words.note.empty()) notes.push_back(map_.words.note);
         const std::size_t total = map_.picture.pixels.size();
         if (map_.above > 0) notes.push_back(fmt::format("above the range: {}", percentage(map_.above, total)));
         if (map_.below > 0) notes.push_back(fmt::format("below the range: {}", percentage(map_.below, total)));
@@ -340,8 +341,7 @@ private:
                       const std::size_t pixel =
                           static_cast<std::size_t>(y / l.factor) * static_cast<std::size_t>(map_.picture.width) +
                           static_cast<std::size_t>(x / l.factor);
-                      const bool is_hatched =
-                          map_.states[pixel] == PixelState::undetermined && map_.style != MapStyle::paper;
+                      const bool is_hatched = map_.states[pixel] == PixelState::undetermined;
                       return is_hatched ? hatch(x, y) : map_.picture.pixels[pixel];
                   });
     }
@@ -376,7 +376,7 @@ private:
         for (const LegendEntry& entry : legend_) {
             paint_box(canvas, static_cast<int>(l.margin) + 1, static_cast<int>(top), size, size, [&](int x, int y) {
                 if (entry.state == PixelState::undetermined) return hatch(x, y);
-                if (entry.state != PixelState::defined) return state_color(entry.state, x, y);
+                if (entry.state != PixelState::defined) return state_color(entry.state, x, y, map_.black_is_none);
                 // The fade: the middle of the scale on the left, no weight on the right.
                 return faded(scale_color(*map_.scale, 0.75), 1.0 - (x + 0.5) / size);
             });

@@ -36,4 +36,10 @@ std::vector<double> bar_ticks(const MapRange& range, ScaleKind kind) {
     return ticks;
 }
 
+std::string end_word(double tick, const MapRange& range, const ScaleWords& words) {
+    if (tick == range.low && tick < 0.0 && !words.low.empty()) return " " + words.low;
+    if (tick == range.high && tick > 0.0 && !words.high.empty()) return " " + words.high;
+    return {};
+}
+
 }  // namespace pol

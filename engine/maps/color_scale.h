@@ -23,7 +23,7 @@ enum class ColorScale : std::uint8_t {
     wilkie_type,         ///< cyan linear to yellow circular (type of polarization)
     wilkie_s1,           ///< green, black, red (orientation, horizontal and vertical)
     wilkie_s2,           ///< yellow, black, blue (orientation, diagonals)
-    wilkie_chirality,    ///< yellow left, black, blue right
+    wilkie_chirality,    ///< yellow S3 < 0 (left), black, blue S3 > 0 (right)
     wilkie_orientation,  ///< red 0, blue 45, green 90, yellow 135 degrees: s1 and s2 in one hue
 };
 

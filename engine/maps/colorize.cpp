@@ -15,6 +15,7 @@ constexpr Rgb8 middle_gray{96, 96, 96};
 constexpr Rgb8 hatch_light{150, 150, 150};
 constexpr Rgb8 hatch_dark{64, 64, 64};
 constexpr Rgb8 magenta{255, 0, 255};
+constexpr Rgb8 dark_magenta{140, 0, 140};
 
 Rgb decoded(const Rgb8& color) {
     return {srgb_decode(color[0] / 255.0), srgb_decode(color[1] / 255.0), srgb_decode(color[2] / 255.0)};
@@ -31,12 +32,10 @@ MapRange extremes(const Map& map) {
     return found;
 }
 
-}  // namespace
-
-ColorScale scale_for(Quantity quantity, MapStyle style) {
-    const ScaleKind kind = info(quantity).kind;
-    if (style == MapStyle::paper || kind == ScaleKind::gray) return ColorScale::gray;
-    if (style == MapStyle::wilkie) {
+/// `kind` is how the scale is to be read.
+ColorScale color_scale(Quantity quantity, bool is_difference, MapStyle style, ScaleKind kind) {
+    if (kind == ScaleKind::gray || (style == MapStyle::paper && kind == ScaleKind::sequential)) return ColorScale::gray;
+    if (style == MapStyle::wilkie && !is_difference && kind == info(quantity).kind) {
         switch (quantity) {
             case Quantity::dop:
             case Quantity::dolp:
@@ -61,18 +60,36 @@ ColorScale scale_for(Quantity quantity, MapStyle style) {
     return kind == ScaleKind::diverging ? ColorScale::diverging : ColorScale::sequential;
 }
 
-MapRange range_for(Quantity quantity, const MapOptions& options, double largest) {
+MapRange range_for(Quantity quantity, bool is_difference, const MapOptions& options, double low, double high) {
     if (options.range) return *options.range;
     const QuantityInfo& about = info(quantity);
+    if (about.kind == ScaleKind::cyclic) return {about.low, about.high};
+    if (is_difference) {
+        const double largest = std::max(std::abs(low), std::abs(high));
+        const double reach = largest > 0.0 ? largest : 1.0;
+        return {-reach, reach};
+    }
     if (about.kind == ScaleKind::gray) return {0.0, std::exp2(-options.exposure)};
     if (!std::isnan(about.high)) return {about.low, about.high};
-    return {about.low, largest > about.low ? largest : 1.0};
+    return {about.low, high > about.low ? high : 1.0};
 }
 
-MapRange range_of_differences(double low, double high) {
-    const double largest = std::max(std::abs(low), std::abs(high));
-    const double reach = largest > 0.0 ? largest : 1.0;
-    return {-reach, reach};
+}  // namespace
+
+ScaleKind kind_of(Quantity quantity, bool is_difference, const MapRange& range) {
+    const QuantityInfo& about = info(quantity);
+    if (about.kind != ScaleKind::cyclic) return is_difference ? ScaleKind::diverging : about.kind;
+    if (range.low == about.low && range.high == about.high) return ScaleKind::cyclic;
+    return is_difference ? ScaleKind::diverging : ScaleKind::sequential;
+}
+
+MapScale map_scale(Quantity quantity, bool is_difference, const MapOptions& options, double low, double high) {
+    MapScale chosen;
+    chosen.range = range_for(quantity, is_difference, options, low, high);
+    chosen.kind = kind_of(quantity, is_difference, chosen.range);
+    chosen.scale = options.scale.value_or(color_scale(quantity, is_difference, options.style, chosen.kind));
+    chosen.black_is_none = options.style == MapStyle::paper && chosen.scale == ColorScale::gray;
+    return chosen;
 }
 
 double developed(double light, const MapOptions& options) {
@@ -80,16 +97,18 @@ double developed(double light, const MapOptions& options) {
     return options.gamma == 1.0 ? shifted : std::pow(std::max(shifted, 0.0), 1.0 / options.gamma);
 }
 
-Rgb8 state_color(PixelState state, int x, int y) {
+Rgb8 state_color(PixelState state, int x, int y, bool black_is_none) {
     switch (state) {
         case PixelState::no_light:
             return black;
         case PixelState::undefined:
-            return middle_gray;
+            return black_is_none ? black : middle_gray;
         case PixelState::undetermined:
             return (x + y) / 2 % 4 < 2 ? hatch_light : hatch_dark;
         case PixelState::not_a_number:
             return magenta;
+        case PixelState::unphysical:
+            return dark_magenta;
         case PixelState::defined:
             break;
     }
@@ -107,25 +126,23 @@ Rgb8 faded(const Rgb& color, double weight) {
 ColoredMap colorize(const Map& map, const MapOptions& options) {
     POL_EXPECTS(map.quantity != Quantity::color);
     POL_EXPECTS(!options.range || options.range->low < options.range->high);
-    const ColorScale scale =
-        options.scale.value_or(map.is_difference ? ColorScale::diverging : scale_for(map.quantity, options.style));
+    const MapRange found = extremes(map);
+    const MapScale chosen = map_scale(map.quantity, map.is_difference, options, found.low, found.high);
     ColoredMap colored;
     colored.quantity = map.quantity;
     colored.is_difference = map.is_difference;
-    const bool is_photograph = colored.kind() == ScaleKind::gray;
+    const bool is_photograph = chosen.kind == ScaleKind::gray;
     colored.style = options.style;
     colored.wavelength_nm = map.wavelength_nm;
     colored.picture.width = map.width;
     colored.picture.height = map.height;
-    colored.scale = scale;
-    const MapRange found = extremes(map);
-    colored.range = map.is_difference ? options.range.value_or(range_of_differences(found.low, found.high))
-                                      : range_for(map.quantity, options, found.high);
+    colored.scale = chosen.scale;
+    colored.range = chosen.range;
+    colored.black_is_none = chosen.black_is_none;
+    colored.words = options.words;
     colored.picture.pixels.reserve(map.pixels.size());
     colored.states.reserve(map.pixels.size());
 
-    // The paper draws what is unpolarized, dark or unknown as 0; it has no fade.
-    const bool is_paper = options.style == MapStyle::paper;
     const double span = colored.range.high - colored.range.low;
     for (int y = 0; y < map.height; ++y) {
         for (int x = 0; x < map.width; ++x) {
@@ -134,8 +151,7 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
             colored.states.push_back(pixel.state);
             ++colored.state_count[static_cast<std::size_t>(pixel.state)];
             if (pixel.state != PixelState::defined) {
-                const bool is_black = is_paper && pixel.state != PixelState::not_a_number;
-                colored.picture.pixels.push_back(is_black ? black : state_color(pixel.state, x, y));
+                colored.picture.pixels.push_back(state_color(pixel.state, x, y, chosen.black_is_none));
                 continue;
             }
             const double t = (pixel.value - colored.range.low) / span;
@@ -143,10 +159,12 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
             constexpr double rounding = 0x1p-22;
             if (t < -rounding) ++colored.below;
             if (t > 1.0 + rounding) ++colored.above;
-            const double weight = is_paper ? 1.0 : pixel.weight;
+            const double weight = chosen.can_fade() ? pixel.weight : 1.0;
+            const double certainty = chosen.can_fade() && options.fade_by_bar ? pixel.certainty : 1.0;
             if (weight < 1.0) colored.fades = true;
+            if (certainty < 1.0) colored.fades_by_bar = true;
             const double place = is_photograph ? developed(t, options) : t;
-            colored.picture.pixels.push_back(faded(scale_color(scale, place), weight));
+            colored.picture.pixels.push_back(faded(scale_color(chosen.scale, place), weight * certainty));
         }
     }
     return colored;

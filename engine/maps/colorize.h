@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/result.h"
@@ -18,13 +19,24 @@ namespace pol {
 
 enum class MapStyle : std::uint8_t {
     scientific,  ///< scales that need no color vision
-    paper,       ///< value x D65: white is 1, black is 0 and everything undefined (Debelov & Kozlov, section 4)
+    paper,       ///< value x D65: white is 1, black is 0 and what has no light or no polarization (Debelov & Kozlov,
+                 ///< section 4). They draw nothing that is signed or closed: there it is as `scientific`
     wilkie,      ///< the colors of Wilkie & Weidlich, "A standardised polarisation visualisation for images", 2010
 };
 
 struct MapRange {
     double low = 0.0;
     double high = 1.0;
+};
+
+/// How a scale over `range` is to be read: signed for differences, and closed only if it spans the whole cycle.
+ScaleKind kind_of(Quantity quantity, bool is_difference, const MapRange& range);
+
+/// What a scale says besides numbers.
+struct ScaleWords {
+    std::string low;   ///< name of what is below 0, written at the low end: "left"; empty: none
+    std::string high;  ///< the same above 0
+    std::string note;  ///< a line of the legend: "source's view, S3 > 0 left"; empty: none
 };
 
 struct MapOptions {
@@ -35,6 +47,8 @@ struct MapOptions {
     /// Color and intensity only, after exposure: place in the range becomes (place + offset)^(1/gamma).
     double offset = 0.0;
     double gamma = 1.0;
+    bool fade_by_bar = false;  ///< MapPixel::certainty counts, too
+    ScaleWords words{};
 };
 
 /// Offset and gamma of a photograph. `light` is already exposed; 1 is white.
@@ -54,7 +68,7 @@ struct ColoredMap {
     double wavelength_nm = 0.0;  ///< of no meaning for color
     bool is_difference = false;  ///< as Map
     /// How the scale is to be read.
-    [[nodiscard]] ScaleKind kind() const { return is_difference ? ScaleKind::diverging : info(quantity).kind; }
+    [[nodiscard]] ScaleKind kind() const { return kind_of(quantity, is_difference, range); }
     RgbPicture picture;
     std::vector<PixelState> states;                            ///< of the pixels of `picture`
     std::optional<ColorScale> scale;                           ///< none for color
@@ -63,23 +77,34 @@ struct ColoredMap {
     std::size_t below = 0;                                     ///< pixels under the range
     std::size_t above = 0;                                     ///< pixels over the range
     bool fades = false;                                        ///< some pixels are drawn with less than full weight
+    bool fades_by_bar = false;   ///< some pixels are drawn weaker because of the width of their error bar
+    bool black_is_none = false;  ///< as MapScale
+    ScaleWords words;
 };
 
-/// The scale that `style` has for `quantity`; of no meaning for color.
-ColorScale scale_for(Quantity quantity, MapStyle style);
-/// Values at the two ends of the scale: of the options, else of QuantityInfo, else from 0 to `largest`, the largest
-/// defined value of the map (0..1 if that is 0 or there is none).
-MapRange range_for(Quantity quantity, const MapOptions& options, double largest);
+/// Scale of a map: what colorize, the window's picture and every color bar share.
+struct MapScale {
+    ColorScale scale{};
+    MapRange range{};  ///< values at the two ends
+    ScaleKind kind{};  ///< how it is to be read
+    /// Pixels with less than full weight are mixed with gray. A gray scale has no room for that: there gray is a value.
+    [[nodiscard]] bool can_fade() const { return scale != ColorScale::gray; }
+    /// What has no light or is undefined is black, as 0: the paper's figures.
+    bool black_is_none = false;
+};
 
-/// The same for differences from `low` to `high`: as far to both sides of 0, -1..1 if there are none.
-MapRange range_of_differences(double low, double high);
+/// The scale of `quantity`, or of its differences, if its least and largest defined values are `low` and `high` (0 and
+/// 0 if there are none). The range is that of the options, else of QuantityInfo, else from 0 to `high`; of differences
+/// as far to both sides of 0, but for the azimuth, whose differences are a whole cycle: -90 and 90 degrees are one. Of
+/// no meaning for color.
+MapScale map_scale(Quantity quantity, bool is_difference, const MapOptions& options, double low, double high);
 
-/// Colors of pixels without a value. `undetermined` is hatched: `x + y` says where.
-Rgb8 state_color(PixelState state, int x, int y);
+/// Colors of pixels without a value. `undetermined` is hatched: `x + y` says where. `black_is_none` as in MapScale.
+Rgb8 state_color(PixelState state, int x, int y, bool black_is_none = false);
 /// `color` at a weight between 1 (as it is) and 0 (the gray of `undefined`).
 Rgb8 faded(const Rgb& color, double weight);
 
-/// Colors a map. A range that comes from the data is that of the defined values; 0..1 if there is none or all are 0.
+/// Colors a map with the scale of map_scale.
 /// Requires: map.quantity is not `color`.
 ColoredMap colorize(const Map& map, const MapOptions& options);
 

@@ -11,7 +11,7 @@ namespace pol {
 MapPixel difference(Quantity quantity, const MapPixel& a, const MapPixel& b) {
     POL_EXPECTS(quantity != Quantity::color);
     const auto either = [&](PixelState state) { return a.state == state || b.state == state; };
-    for (const PixelState state : {PixelState::not_a_number, PixelState::undetermined})
+    for (const PixelState state : {PixelState::not_a_number, PixelState::unphysical, PixelState::undetermined})
         if (either(state)) return {0.0, 0.0, state};
     if (a.state != PixelState::defined || b.state != PixelState::defined)
         return {0.0, 0.0, a.state == b.state ? a.state : PixelState::undefined};
@@ -21,7 +21,8 @@ MapPixel difference(Quantity quantity, const MapPixel& a, const MapPixel& b) {
     const QuantityInfo& about = info(quantity);
     const double range = std::isfinite(about.high) ? about.high - about.low : 0.0;
     if (std::abs(by) <= pixel_noise * std::max({std::abs(a.value), std::abs(b.value), range})) by = 0.0;
-    return {by, std::min(a.weight, b.weight), PixelState::defined};
+    // The bar of a difference is as wide as both bars together.
+    return {by, std::min(a.weight, b.weight), PixelState::defined, std::max(0.0, a.certainty + b.certainty - 1.0)};
 }
 
 }  // namespace pol

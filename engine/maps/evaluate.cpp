@@ -26,37 +26,37 @@ struct Reading {
     double value = 0.0;
     double weight = 1.0;
     bool defined = true;
-    bool determined = true;
+    double spread = 0.0;  // width of the bar, half of the quantity's range being 1
 };
 
-bool covers_half(const Interval<double>& bar, double range) {
-    return bar.width() >= range / 2.0;
+double spread_of(const Interval<double>& bar, double range) {
+    return bar.width() / (range / 2.0);
 }
 
 Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>& m, const MeasureBounds<double>& bars) {
     const double fade = std::min(1.0, m.dop / full_weight_polarization);
     switch (quantity) {
         case Quantity::dop:
-            return {m.dop, 1.0, true, !covers_half(bars.dop, 1.0)};
+            return {m.dop, 1.0, true, spread_of(bars.dop, 1.0)};
         case Quantity::dolp:
-            return {m.dolp, 1.0, true, !covers_half(bars.dolp, 1.0)};
+            return {m.dolp, 1.0, true, spread_of(bars.dolp, 1.0)};
         case Quantity::docp:
-            return {m.docp, 1.0, true, !covers_half(bars.docp, 1.0)};
+            return {m.docp, 1.0, true, spread_of(bars.docp, 1.0)};
         case Quantity::ellipticity:
-            return {m.ellipticity, fade, m.has_polarization, !covers_half(bars.ellipticity, 1.0)};
+            return {m.ellipticity, fade, m.has_polarization, spread_of(bars.ellipticity, 1.0)};
         case Quantity::handedness:
             // sin(2 chi) = S3 / p, from the angle that measures.h has in its stable form.
             return {std::sin(2.0 * m.ellipticity_angle), fade, m.has_polarization,
-                    !covers_half(bars.ellipticity_angle, pi / 2.0)};
+                    spread_of(bars.ellipticity_angle, pi / 2.0)};
         case Quantity::azimuth:
             return {degrees(m.azimuth), std::min(1.0, m.dolp / full_weight_polarization), m.has_azimuth,
-                    bars.azimuth < pi / 4.0};
+                    bars.azimuth / (pi / 4.0)};
         case Quantity::s1:
-            return {s.s1 / s.s0, 1.0, true, bars.s1.width() < s.s0};
+            return {s.s1 / s.s0, 1.0, true, bars.s1.width() / s.s0};
         case Quantity::s2:
-            return {s.s2 / s.s0, 1.0, true, bars.s2.width() < s.s0};
+            return {s.s2 / s.s0, 1.0, true, bars.s2.width() / s.s0};
         case Quantity::s3:
-            return {s.s3 / s.s0, 1.0, true, bars.s3.width() < s.s0};
+            return {s.s3 / s.s0, 1.0, true, bars.s3.width() / s.s0};
         case Quantity::dop_error:
             return {half_width(bars.dop, m.dop)};
         case Quantity::ellipticity_error:
@@ -91,9 +91,12 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
     if (quantity == Quantity::residual) return number(light.residual);
     if (quantity == Quantity::unphysical) return number(unphysical_part(s));
 
+    const bool is_number = std::isfinite(s.s0) && std::isfinite(polarized_part(s)) && std::isfinite(light.missing) &&
+                           std::isfinite(light.surplus);
+    if (!is_number) return empty(PixelState::not_a_number);
     const Measures<double> m = measure(s, pixel_noise);
     const auto bars = error_bars(light);
-    if (!std::isfinite(m.dop) || !bars) return empty(PixelState::not_a_number);
+    if (!std::isfinite(m.dop) || !bars) return empty(PixelState::unphysical);
     // Crossed polarizers leave a rounding error of the light that they stop: 1e-33 of it is no light.
     if (bars->s0.high <= pixel_noise * light.scale) return empty(PixelState::no_light);
     if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
@@ -104,9 +107,10 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
         quantity == Quantity::azimuth || quantity == Quantity::ellipticity || quantity == Quantity::handedness;
     const double most = quantity == Quantity::azimuth ? bars->dolp.high : bars->dop.high;
     const bool is_unpolarized = is_of_direction && most < full_weight_polarization;
-    if (!reading.determined && !is_unpolarized) return empty(PixelState::undetermined);
-    if (!reading.defined || !reading.determined) return empty(PixelState::undefined);
-    return {reading.value, reading.weight, PixelState::defined};
+    const bool is_determined = reading.spread < 1.0;
+    if (!is_determined && !is_unpolarized) return empty(PixelState::undetermined);
+    if (!reading.defined || !is_determined) return empty(PixelState::undefined);
+    return {reading.value, reading.weight, PixelState::defined, 1.0 - reading.spread};
 }
 
 MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,

@@ -20,15 +20,19 @@ enum class PixelState : std::uint8_t {
     no_light,      ///< S0, what was left out included, is nothing but rounding: black
     undefined,     ///< light, but without the property: azimuth of unpolarized or circular light
     undetermined,  ///< so much light was left out that the value may lie anywhere in half of its range or more
-    not_a_number,  ///< NaN, infinite or S0 < 0: a defect of the renderer
+    not_a_number,  ///< NaN or infinite: a defect of the renderer
+    unphysical,    ///< numbers that no light has: S0 < 0, S0 = 0 beside a polarized part, or a residual below 0
 };
-inline constexpr std::size_t pixel_state_count = 5;
+inline constexpr std::size_t pixel_state_count = 6;
 
 struct MapPixel {
     double value = 0.0;  ///< in the unit of QuantityInfo; meaningless unless the state is `defined`
     /// 1: fully meant; towards 0 for a property of the polarized part as that part vanishes. For fading only.
     double weight = 1.0;
     PixelState state = PixelState::defined;
+    /// 1: the error bar has no width; falls linearly with it, to 0 where the bar covers half of the range and nothing
+    /// is determined any more. 1 for what has no bar or no range. For fading only.
+    double certainty = 1.0;
 };
 
 /// Row 0 is the top row, as in StokesImage.

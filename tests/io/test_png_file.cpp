@@ -118,6 +118,87 @@ TEST(Colorize, DrawsThePaperStyleWhiteForPolarizedAndBlackForUnpolarizedOrDark) 
     EXPECT_EQ(at(sample_map(Quantity::dop, 8, 4, options).picture, 0, 1), (Rgb8{0, 0, 0}));
 }
 
+/// From left to right: no light, unpolarized, not determined, horizontal, vertical and right circular light, negative
+/// S0.
+StokesImage image_of_states() {
+    StokesImage image;
+    image.width = 7;
+    image.height = 1;
+    image.wavelengths_nm = {580.0};
+    image.brightest = {1.0};
+    image.stokes = {{0.0, 0.0, 0.0, 0.0},  {1.0, 0.0, 0.0, 0.0}, {1.0, 0.5, 0.0, 0.0}, {1.0, 1.0, 0.0, 0.0},
+                    {1.0, -1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0}, {-1.0, 0.0, 0.0, 0.0}};
+    image.residual = {0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.0};
+    return image;
+}
+
+ColoredMap map_of_states(Quantity quantity, MapStyle style) {
+    MapOptions options;
+    options.style = style;
+    return draw_map(image_of_states(), quantity, 0, options).value();
+}
+
+// Black is 0 in the paper's figures: unpolarized light has no polarization and no ellipticity. What was not traced is
+// not 0.
+TEST(Colorize, DrawsWhatIsNotDeterminedNeverAsAValue) {
+    for (const Quantity quantity : {Quantity::dop, Quantity::ellipticity}) {
+        const RgbPicture drawn = map_of_states(quantity, MapStyle::paper).picture;
+        EXPECT_EQ(at(drawn, 0, 0), (Rgb8{0, 0, 0}));
+        EXPECT_EQ(at(drawn, 1, 0), (Rgb8{0, 0, 0}));
+        EXPECT_EQ(at(drawn, 2, 0), state_color(PixelState::undetermined, 2, 0));
+        EXPECT_NE(at(drawn, 2, 0), (Rgb8{0, 0, 0}));
+        EXPECT_EQ(at(drawn, 6, 0), state_color(PixelState::unphysical, 0, 0));
+    }
+    EXPECT_NE(state_color(PixelState::unphysical, 0, 0), state_color(PixelState::not_a_number, 0, 0));
+}
+
+// Where black is -1 or a direction, nothing else is black in the paper's style but darkness.
+TEST(Colorize, DrawsSignedAndClosedMapsInThePapersStyleOnScalesOfTheirOwn) {
+    for (const Quantity quantity :
+         {Quantity::s1, Quantity::s2, Quantity::s3, Quantity::handedness, Quantity::azimuth}) {
+        const ColoredMap paper = map_of_states(quantity, MapStyle::paper);
+        EXPECT_EQ(paper.picture.pixels, map_of_states(quantity, MapStyle::scientific).picture.pixels);
+        EXPECT_FALSE(paper.black_is_none);
+        for (int x = 3; x < 6; ++x) EXPECT_NE(at(paper.picture, x, 0), at(paper.picture, 0, 0)) << x;
+    }
+}
+
+TEST(Colorize, TheAzimuthHasAClosedScaleInEveryStyle) {
+    for (const MapStyle style : {MapStyle::scientific, MapStyle::paper, MapStyle::wilkie}) {
+        MapOptions options;
+        options.style = style;
+        const MapScale scale = map_scale(Quantity::azimuth, false, options, 0.0, 0.0);
+        EXPECT_EQ(scale.kind, ScaleKind::cyclic);
+        const Rgb8 low = encode(scale_color(scale.scale, 0.0));
+        EXPECT_EQ(low, encode(scale_color(scale.scale, 1.0)));
+        EXPECT_NE(low, encode(scale_color(scale.scale, 0.5)));
+        // A part of the cycle has two ends: 20 degrees are not -20 degrees.
+        options.range = MapRange{-20.0, 20.0};
+        const MapScale part = map_scale(Quantity::azimuth, false, options, 0.0, 0.0);
+        EXPECT_EQ(part.kind, ScaleKind::sequential);
+        EXPECT_NE(encode(scale_color(part.scale, 0.0)), encode(scale_color(part.scale, 1.0)));
+    }
+}
+
+// A tenth of S0 missing: P in [0.4, 0.6]/1.1, whose width of half the range is 2 * 0.2/1.1.
+TEST(Colorize, FadesByTheWidthOfTheBarOnRequestButNotIntoAGrayThatIsAValue) {
+    StokesImage image = sample_image(2, 1);
+    image.stokes = {{1.0, 0.5, 0.0, 0.0}, {1.0, 0.5, 0.0, 0.0}};
+    image.brightest = {1.0};
+    image.residual = {0.0, 0.1};
+    MapOptions options;
+    options.fade_by_bar = true;
+    const ColoredMap map = draw_map(image, Quantity::dop, 0, options).value();
+    const Rgb color = scale_color(ColorScale::sequential, 0.5);
+    EXPECT_TRUE(map.fades_by_bar);
+    EXPECT_EQ(at(map.picture, 0, 0), encode(color));
+    EXPECT_EQ(at(map.picture, 1, 0), faded(color, 1.0 - 2.0 * 0.2 / 1.1));
+    options.style = MapStyle::paper;
+    const ColoredMap paper = draw_map(image, Quantity::dop, 0, options).value();
+    EXPECT_FALSE(paper.fades_by_bar);
+    EXPECT_EQ(at(paper.picture, 1, 0), at(paper.picture, 0, 0));
+}
+
 TEST(Colorize, LetsExposureBrightenIntensityAndRangeStretchTheScale) {
     StokesImage image = sample_image(2, 1);
     image.stokes = {{0.95788 / 4.0, 0.0, 0.0, 0.0}, {1.0, 0.25, 0.0, 0.0}};
@@ -145,6 +226,28 @@ TEST(MapPicture, EnlargesSmallMapsByAWholeFactorAndNeverBlendsTheirPixels) {
         for (int dx = 0; dx < 6; ++dx) {
             const int left = magenta.right + 1 - 64 * 6;
             EXPECT_EQ(at(drawn, left + 40 * 6 + dx, magenta.top - 63 * 6 + 40 * 6 + dy), expected);
+        }
+    }
+}
+
+// Its boxes lie below the picture, in the colors that the picture has.
+TEST(MapPicture, HasALegendInTheColorsOfThePictureInEveryStyle) {
+    for (const MapStyle style : {MapStyle::scientific, MapStyle::paper, MapStyle::wilkie}) {
+        for (const Quantity quantity : {Quantity::dop, Quantity::ellipticity, Quantity::azimuth}) {
+            const ColoredMap map = map_of_states(quantity, style);
+            const RgbPicture drawn = map_picture(map, "scene.yaml").value();
+            const int factor = (384 + map.picture.width - 1) / map.picture.width;
+            // Below the picture, left of all texts: the boxes begin at the margin and are 14 points wide.
+            std::vector<Rgb8> boxes;
+            for (int y = 58 + factor; y < drawn.height; ++y)
+                for (int x = 15; x < 29; ++x) boxes.push_back(at(drawn, x, y));
+            for (int x = 0; x < map.picture.width; ++x) {
+                const PixelState state = map.states[static_cast<std::size_t>(x)];
+                if (state == PixelState::defined) continue;
+                EXPECT_NE(std::count(boxes.begin(), boxes.end(), at(map.picture, x, 0)), 0)
+                    << info(quantity).name << " style " << static_cast<int>(style) << " state "
+                    << static_cast<int>(state);
+            }
         }
     }
 }
@@ -200,6 +303,16 @@ TEST(MapPicture, IsRefusedIfItIsTooLargeForALegend) {
     const Result<RgbPicture> drawn = map_picture(map, "");
     ASSERT_FALSE(drawn);
     EXPECT_EQ(drawn.error().kind, ErrorKind::output);
+}
+
+// A sign has a name only where its side of the scale is.
+TEST(BarTicks, SayWhatTheSignsMeanAtTheEnds) {
+    const ScaleWords words{"left", "right", {}};
+    EXPECT_EQ(end_word(-1.0, {-1.0, 1.0}, words), " left");
+    EXPECT_EQ(end_word(1.0, {-1.0, 1.0}, words), " right");
+    EXPECT_EQ(end_word(0.5, {-1.0, 1.0}, words), "");
+    EXPECT_EQ(end_word(0.25, {0.25, 1.0}, words), "");
+    EXPECT_EQ(end_word(-1.0, {-1.0, 1.0}, {}), "");
 }
 
 TEST(BarTicks, AreRoundNumbersBetweenTheEnds) {

@@ -26,7 +26,7 @@ TEST(Difference, OfEqualLightSummedInAnotherOrderIsZero) {
 
 // Zero is in the middle whatever the quantity; the tone of a photograph is not for signed numbers.
 TEST(Difference, IsColoredFromBlueToOrangeWithZeroInTheMiddle) {
-    for (const Quantity quantity : {Quantity::intensity, Quantity::azimuth, Quantity::dop}) {
+    for (const Quantity quantity : {Quantity::intensity, Quantity::handedness, Quantity::dop}) {
         const Map map{quantity, 580.0, true, 3, 1, {{-0.5}, {0.0}, {0.25}}};
         MapOptions options;
         options.gamma = 2.0;
@@ -41,6 +41,35 @@ TEST(Difference, IsColoredFromBlueToOrangeWithZeroInTheMiddle) {
     }
 }
 
+// Lines 90 and -90 degrees apart are the same distance apart: one color. Over a part of the cycle that a user asks for
+// the ends differ, and so do their colors.
+TEST(Difference, OfAzimuthsIsColoredOnAClosedScaleOverTheWholeCycle) {
+    const Map map{Quantity::azimuth, 580.0, true, 3, 1, {{-90.0}, {0.0}, {90.0}}};
+    for (const MapStyle style : {MapStyle::scientific, MapStyle::paper, MapStyle::wilkie}) {
+        MapOptions options;
+        options.style = style;
+        const ColoredMap closed = colorize(map, options);
+        EXPECT_EQ(closed.kind(), ScaleKind::cyclic);
+        EXPECT_EQ(closed.range.low, -90.0);
+        EXPECT_EQ(closed.range.high, 90.0);
+        EXPECT_EQ(closed.picture.pixels[0], closed.picture.pixels[2]);
+        EXPECT_NE(closed.picture.pixels[0], closed.picture.pixels[1]);
+        options.range = MapRange{-5.0, 5.0};
+        const ColoredMap part = colorize(map, options);
+        EXPECT_EQ(part.kind(), ScaleKind::diverging);
+        EXPECT_EQ(part.picture.pixels[1], encode(scale_color(ColorScale::diverging, 0.5)));
+        EXPECT_NE(part.picture.pixels[0], part.picture.pixels[2]);
+    }
+}
+
+// The bar of a difference is as wide as both bars together: half the range is covered by 0.3 + 0.45 of it.
+TEST(Difference, IsAsUncertainAsBothTogether) {
+    const MapPixel a{0.5, 1.0, PixelState::defined, 0.7};
+    const MapPixel b{0.25, 1.0, PixelState::defined, 0.55};
+    EXPECT_NEAR(difference(Quantity::dop, a, b).certainty, 0.25, 1e-15);
+    EXPECT_EQ(difference(Quantity::dop, a, {0.25, 1.0, PixelState::defined, 0.1}).certainty, 0.0);
+}
+
 TEST(Difference, IsDefinedWhereBothAreAndFadesWithTheWeaker) {
     using enum PixelState;
     const MapPixel a{0.7, 1.0, defined};
@@ -49,6 +78,7 @@ TEST(Difference, IsDefinedWhereBothAreAndFadesWithTheWeaker) {
     EXPECT_EQ(difference(Quantity::ellipticity, a, b).weight, 0.25);
     const auto with = [&](PixelState state) { return difference(Quantity::ellipticity, a, {0.0, 0.0, state}).state; };
     EXPECT_EQ(with(not_a_number), not_a_number);
+    EXPECT_EQ(with(unphysical), unphysical);
     EXPECT_EQ(with(undetermined), undetermined);
     EXPECT_EQ(with(undefined), undefined);
     EXPECT_EQ(with(no_light), undefined);

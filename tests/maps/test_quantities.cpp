@@ -119,11 +119,35 @@ TEST(Evaluate, ReportsNumbersThatAreNoLightInsteadOfRepairingThem) {
         EXPECT_EQ(pixel(one_pixel(s), Quantity::unphysical).state, PixelState::not_a_number);
     }
     EXPECT_EQ(pixel(one_pixel({nan, 0.0, 0.0, 0.0}), Quantity::intensity).state, PixelState::not_a_number);
-    EXPECT_EQ(pixel(one_pixel({-1.0, 0.0, 0.0, 0.0}), Quantity::dop).state, PixelState::not_a_number);
     EXPECT_EQ(pixel(with_residual(one_pixel({1.0, 0.5, 0.0, 0.0}), nan), Quantity::dop).state,
               PixelState::not_a_number);
-    EXPECT_EQ(pixel(with_residual(one_pixel({1.0, 0.5, 0.0, 0.0}), -0.1), Quantity::dop).state,
-              PixelState::not_a_number);
+}
+
+// They are numbers, and are called by what is wrong with them.
+TEST(Evaluate, CallsNumbersThatNoLightHasUnphysicalAndNotNoNumber) {
+    for (const Stokes<double>& s : {Stokes<double>{-1.0, 0.0, 0.0, 0.0}, {-1e-9, 0.0, 0.0, 1e-9}, {0.0, 0.0, 0.5, 0.0}})
+        for (const Quantity quantity : {Quantity::dop, Quantity::azimuth, Quantity::ellipticity, Quantity::handedness,
+                                        Quantity::s1, Quantity::azimuth_error})
+            EXPECT_EQ(pixel(one_pixel(s), quantity).state, PixelState::unphysical) << info(quantity).name;
+    EXPECT_EQ(pixel(with_residual(one_pixel({1.0, 0.5, 0.0, 0.0}), -0.1), Quantity::dop).state, PixelState::unphysical);
+    EXPECT_EQ(pixel(one_pixel({-1.0, 0.0, 0.0, 0.0}), Quantity::intensity).value, -1.0) << "the number itself is there";
+}
+
+// Widths of the bars of the next test but one over half of the range: P by 0.2/2.1 of 0.5, the azimuth by asin(0.1)/2
+// to both sides of a quarter of pi.
+TEST(Evaluate, IsTheLessCertainTheWiderTheBarUntilNothingIsDetermined) {
+    StokesImage image = with_residual(one_pixel({2.0, 1.0, 0.0, 0.0}), 0.05);
+    image.brightest = {2.0};
+    EXPECT_NEAR(pixel(image, Quantity::dop).certainty, 1.0 - 2.0 * 0.2 / 2.1, 1e-14);
+    EXPECT_NEAR(pixel(image, Quantity::azimuth).certainty, 1.0 - std::asin(0.1) / 2.0 / (pi / 4.0), 1e-14);
+    EXPECT_NEAR(pixel(image, Quantity::s1).certainty, 1.0 - 0.2 / 2.0, 1e-14);
+    EXPECT_EQ(pixel(one_pixel({2.0, 1.0, 0.0, 0.0}), Quantity::dop).certainty, 1.0);
+    EXPECT_EQ(pixel(image, Quantity::residual).certainty, 1.0) << "a bound has no bar";
+    // The bar of S1 / S0 covers half of -1..1 when 0.5 of 2 is missing to both sides of S1.
+    image.residual = {0.4999};
+    EXPECT_LT(pixel(image, Quantity::s1).certainty, 1e-3);
+    image.residual = {0.5001};
+    EXPECT_EQ(pixel(image, Quantity::s1).state, PixelState::undetermined);
 }
 
 TEST(Evaluate, ShowsHowFarAVectorIsFromBeingLight) {

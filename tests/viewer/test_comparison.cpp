@@ -41,8 +41,30 @@ TEST(Comparison, ShowsTheDifferenceOfTheTwoMapsPixelByPixel) {
             EXPECT_EQ(session.shown_map.states()[i], expected.state);
             EXPECT_EQ(session.shown_map.values()[i], expected.value);
         }
-        EXPECT_EQ(map_look(session).scale, ColorScale::diverging);
+        const bool is_closed = about.quantity == Quantity::azimuth;
+        EXPECT_EQ(map_look(session).scale, is_closed ? ColorScale::cyclic : ColorScale::diverging) << about.name;
         EXPECT_EQ(map_look(session).range.low, -map_look(session).range.high);
+    }
+}
+
+// Both truths may lie anywhere in their bars.
+TEST(Comparison, ADifferenceHasABarAsWideAsBothTogether) {
+    Session session;
+    ASSERT_NO_FATAL_FAILURE(open_two(session));
+    session.view.difference = true;
+    for (const Quantity quantity : {Quantity::dop, Quantity::azimuth, Quantity::s3}) {
+        session.show(quantity);
+        const ShownQuantity both = session.shown_quantity();
+        const std::size_t pixel = session.current()->picture().pixel(9, 9);
+        const QuantityReading a = both.own(pixel);
+        const QuantityReading b = both.of_reference(pixel);
+        const QuantityReading by = both.reading(pixel);
+        ASSERT_EQ(by.pixel.state, PixelState::defined);
+        ASSERT_TRUE(by.bar);
+        EXPECT_EQ(by.pixel.value, both.at(pixel).value);
+        // Sums of four numbers of up to 90.
+        EXPECT_NEAR(by.bar->width(), a.bar->width() + b.bar->width(), 1e-12);
+        EXPECT_NEAR(by.bar->high - by.pixel.value, (a.bar->high - a.pixel.value) + (b.pixel.value - b.bar->low), 1e-12);
     }
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
+#include "core/units.h"
 #include "io/exr_file.h"
 #include "io/input_file.h"
 #include "io/scene_hash.h"
@@ -26,6 +29,21 @@ protected:
             session.update();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
+    }
+    /// Reads as many numbers as fit.
+    static std::array<double, 9>& fields_of(std::istringstream& line, std::array<double, 9>& numbers) {
+        for (double& number : numbers) line >> number;
+        return numbers;
+    }
+    static RgbPicture decode_png(const fs::path& path) {
+        png_image image{};
+        image.version = PNG_IMAGE_VERSION;
+        if (png_image_begin_read_from_file(&image, path.c_str()) == 0) return {};
+        image.format = PNG_FORMAT_RGB;
+        RgbPicture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+        picture.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+        png_image_finish_read(&image, nullptr, picture.pixels.data(), 0, nullptr);
+        return picture;
     }
     static std::string text_of(const fs::path& path) { return read_input_file(path, 1U << 30U).value(); }
 
@@ -216,6 +234,61 @@ TEST_F(Exports, TheMarkedPixelsAreListedAtAllWavelengthsBehindTheBench) {
         }
     }
     EXPECT_FALSE(std::getline(lines, line));
+}
+
+// The last column says how the others are labeled.
+TEST_F(Exports, PixelsAreListedInTheShownConventionWhichTheTableNames) {
+    test::write_text("plate.yaml", test::plate_scene(4, 2));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    test::finish(*session.current());
+    session.bench.elements.push_back({BenchElementKind::polarizer, true, 0.3, 0.0});
+    session.bench.elements.push_back({BenchElementKind::retarder, true, 0.0, 1.0});
+    session.view.convention = {Viewpoint::source, PositiveS3::right, TimeSign::minus};
+    const ShownPicture engine(session.current()->picture(), session.bench);
+    export_pixels(session);
+    wait_for_exports(session);
+    std::istringstream lines(text_of("plate.csv"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line.substr(line.rfind(',') + 1), "convention");
+    std::getline(lines, line);
+    EXPECT_NE(line.find(",\"source's view, S3 > 0 right\""), std::string::npos) << line;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream fields(line);
+    std::array<double, 9> number{};
+    for (double& field : fields_of(fields, number)) EXPECT_TRUE(std::isfinite(field));
+    const Stokes<double> s = engine.stokes(0, 0);
+    EXPECT_NE(s.s3, 0.0);
+    EXPECT_NEAR(number[5], -s.s2, 1e-15) << "as the source sees it";
+    EXPECT_NEAR(number[6], -s.s3, 1e-15);
+    EXPECT_NEAR(number[8], -degrees(measure(s).azimuth), 1e-12);
+}
+
+// The same light labeled the other way round has the colors of the opposite light; end words and legend differ below
+// and beside the picture only.
+TEST_F(Exports, AMapIsWrittenInTheShownConvention) {
+    test::write_text("plate.yaml", test::plate_scene(4, 4));
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    test::finish(*session.current());
+    session.show(Quantity::s3);
+    const auto corner_of_map = [&](double axis, PositiveS3 positive) {
+        session.bench.elements = {{BenchElementKind::polarizer, true, axis, 0.0},
+                                  {BenchElementKind::retarder, true, 0.0, 1.0}};
+        session.view.convention.positive_s3 = positive;
+        session.finish_shown_map();
+        const fs::path path = free_export_path(session, "plate-s3", ".png");
+        export_map(session);
+        wait_for_exports(session);
+        const RgbPicture picture = decode_png(path);
+        return picture.pixels[static_cast<std::size_t>(70 * picture.width + 30)];
+    };
+    const Rgb8 right = corner_of_map(0.3, PositiveS3::right);
+    const Rgb8 left = corner_of_map(-0.3, PositiveS3::right);
+    EXPECT_NE(right, left);
+    EXPECT_EQ(corner_of_map(0.3, PositiveS3::left), left);
+    EXPECT_EQ(corner_of_map(-0.3, PositiveS3::left), right);
 }
 
 TEST_F(Exports, EveryMapIsWrittenAsPng) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "core/units.h"
 #include "polarization/measures.h"
@@ -78,6 +79,47 @@ TEST(Convention, LabelsAgreeWithTheFieldAsItIsSeen) {
             EXPECT_EQ(s.s3, c.s3_of_matrix() * 2.0 * j.xy.im);
         }
     }
+}
+
+// What an element does to the light does not depend on how the light is labeled.
+TEST(Convention, AMuellerMatrixActsOnTheLabelsAsOnTheLight) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (const Convention& c : all_conventions()) {
+        MuellerMatrix<double> m;
+        for (auto& row : m.m)
+            for (double& entry : row) entry = uniform(random);
+        const Stokes<double> s{1.0, uniform(random), uniform(random), uniform(random)};
+        EXPECT_EQ(c.mueller(m) * c.stokes(s), c.stokes(m * s)) << c.text() << ": only signs change";
+    }
+}
+
+// Words follow the numbers: the end of the scale that is called right is that of light that turns clockwise for who
+// looks.
+TEST(Convention, NamesTheSignsAsTheFieldIsSeen) {
+    const Stokes<double> turning{1.0, 0.0, 0.0, 1.0};  // clockwise for the receiver, counter-clockwise for the source
+    for (const Convention& c : all_conventions()) {
+        SCOPED_TRACE(c.text());
+        const std::string name = c.viewpoint == Viewpoint::receiver ? "right" : "left";
+        const bool is_high = c.stokes(turning).s3 > 0.0;
+        for (const Quantity quantity : {Quantity::s3, Quantity::handedness}) {
+            const ScaleWords words = c.scale_words(quantity, false);
+            EXPECT_EQ(is_high ? words.high : words.low, name);
+            EXPECT_NE(words.high, words.low);
+            EXPECT_NE(words.note.find(c.viewpoint == Viewpoint::receiver ? "receiver" : "source"), std::string::npos);
+            const std::string at_one = "1 " + words.high + " circular";
+            EXPECT_NE(c.definition(quantity).find(" " + at_one), std::string::npos) << c.definition(quantity);
+            EXPECT_NE(c.definition(quantity).find("-1 " + words.low + " circular"), std::string::npos);
+            EXPECT_EQ(c.scale_words(quantity, true).high, "") << "a difference is not right-handed";
+            EXPECT_EQ(c.scale_words(quantity, true).note, words.note);
+        }
+        EXPECT_EQ(c.state_name(turning), name + " circular");
+        EXPECT_EQ(c.state_name({1.0, 0.0, 1.0, 0.0}),
+                  c.viewpoint == Viewpoint::receiver ? "+45\u00b0" : "\u221245\u00b0");
+        EXPECT_EQ(c.state_name({1.0, -1.0, 0.0, 0.0}), "vertical");
+        EXPECT_EQ(c.scale_words(Quantity::dop, false).note, "") << "no convention changes it";
+    }
+    for (const QuantityInfo& about : quantities()) EXPECT_EQ(Convention{}.definition(about.quantity), about.definition);
 }
 
 }  // namespace

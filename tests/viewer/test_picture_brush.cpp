@@ -131,8 +131,9 @@ TEST(Bench, TheStandardAnalyzersPassTheirState) {
     ASSERT_EQ(standard_analyzers().size(), states.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
         const MuellerMatrix<double> train = standard_analyzers()[i].bench.mueller();
-        EXPECT_NEAR((train * states[i]).s0, 1.0, 1e-12) << standard_analyzers()[i].title;
-        EXPECT_NEAR((train * states[i ^ 1U]).s0, 0.0, 1e-12) << standard_analyzers()[i].title;
+        EXPECT_EQ(standard_analyzers()[i].passes, states[i]);
+        EXPECT_NEAR((train * states[i]).s0, 1.0, 1e-12) << i;
+        EXPECT_NEAR((train * states[i ^ 1U]).s0, 0.0, 1e-12) << i;
     }
 }
 
@@ -145,6 +146,12 @@ TEST(BenchPanel, ShowsTheMuellerMatrixOfTheTrain) {
     const std::string text = window.text_of([&] { draw_bench_panel(window.session); });
     EXPECT_NE(text.find("polarizer"), std::string::npos);
     EXPECT_NE(text.find("0.500"), std::string::npos) << text;
+    // At 30 degrees from image right S2 of what it passes is sin(60 degrees)/2 = 0.433, seen from the source its
+    // opposite.
+    window.session.bench.elements[0].axis = radians(30.0);
+    EXPECT_EQ(window.text_of([&] { draw_bench_panel(window.session); }).find("-0.433"), std::string::npos);
+    window.session.view.convention.viewpoint = Viewpoint::source;
+    EXPECT_NE(window.text_of([&] { draw_bench_panel(window.session); }).find("-0.433"), std::string::npos);
 }
 
 }  // namespace

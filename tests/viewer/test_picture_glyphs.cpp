@@ -43,6 +43,18 @@ TEST(Glyphs, LeftHandedLightTurnsTheOtherWay) {
     EXPECT_LT(start.x * later.y - start.y * later.x, 0.0);
 }
 
+// Colors say the name, arrows the sense on the picture: from behind, clockwise is counter-clockwise.
+TEST(Glyphs, AreColoredByTheNameThatTheShownConventionHas) {
+    const auto glyphs = glyphs_in(flat_picture({1.0, 0.0, 0.0, 1.0}), 8);
+    for (const PositiveS3 positive : {PositiveS3::right, PositiveS3::left}) {
+        EXPECT_TRUE(is_right_handed(glyphs[0], {Viewpoint::receiver, positive, TimeSign::minus}));
+        EXPECT_FALSE(is_right_handed(glyphs[0], {Viewpoint::source, positive, TimeSign::minus}));
+    }
+    EXPECT_NE(glyph_key({}).find("right-handed, turns clockwise"), std::string::npos);
+    EXPECT_NE(glyph_key({Viewpoint::source, PositiveS3::right, TimeSign::minus}).find("counter-clockwise here"),
+              std::string::npos);
+}
+
 TEST(Glyphs, TheAxisIsTheAzimuthAndTheAxesHaveTheEllipticity) {
     const double psi = radians(30.0);
     const double chi = radians(15.0);

@@ -62,6 +62,44 @@ TEST(ShownMap, IsMadeInSlicesAndFollowsMapAndBench) {
     EXPECT_NEAR(map.summary().low, 1.0, 1e-12) << "behind a polarizer all light is polarized";
 }
 
+// S3 is positive for left-handed light there, seen from the source for right-handed light again.
+TEST(ShownMap, FollowsTheConvention) {
+    Session session;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+    session.show(Quantity::s3);
+    session.finish_shown_map();
+    const std::vector<double> engine = session.shown_map.values();
+    session.view.convention.positive_s3 = PositiveS3::left;
+    session.finish_shown_map();
+    for (std::size_t i = 0; i < engine.size(); ++i) EXPECT_EQ(session.shown_map.values()[i], -engine[i]) << i;
+    session.view.convention.viewpoint = Viewpoint::source;
+    session.finish_shown_map();
+    EXPECT_EQ(session.shown_map.values(), engine);
+}
+
+TEST(MapLook, AzimuthDifferencesAreClosedUntilAPartOfTheCycleIsAskedFor) {
+    Session session;
+    StokesImage image = known_picture();
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    session.set_reference();
+    for (Stokes<double>& s : image.stokes) s = rotate_basis(s, 0.02);
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    session.show(Quantity::azimuth);
+    session.view.difference = true;
+    session.finish_shown_map();
+    EXPECT_EQ(map_look(session).kind, ScaleKind::cyclic);
+    EXPECT_EQ(map_look(session).scale, ColorScale::cyclic);
+    EXPECT_EQ(map_look(session).range.high, 90.0);
+    fit_bar_range(session);  // the frame was turned by 0.02 radians: all azimuths are that much less
+    EXPECT_EQ(map_look(session).kind, ScaleKind::diverging);
+    EXPECT_NEAR(map_look(session).range.high, 0.02 * 180.0 / 3.14159265358979, 1e-3);
+    reset_bar_range(session);
+    EXPECT_EQ(map_look(session).kind, ScaleKind::cyclic);
+    session.view.difference = false;
+    fit_bar_range(session);
+    EXPECT_EQ(map_look(session).range.low, -90.0) << "azimuths themselves keep their cycle";
+}
+
 TEST(MapLook, TakesItsRangeFromTheUserElseFromTheQuantityElseFromTheData) {
     Session session;
     StokesImage image = known_picture();

@@ -2,12 +2,14 @@
 // The mouse in the picture, and what stands under it.
 #include <gtest/gtest.h>
 
+#include "core/units.h"
 #include "known_picture.h"
 #include "maps/evaluate.h"
 #include "plan/camera_model.h"
 #include "viewer/camera_moves.h"
 #include "viewer/map_look.h"
 #include "viewer/panels/hover_readout.h"
+#include "viewer/pixel_sheet.h"
 #include "viewer/reading_text.h"
 #include "viewer/viewer_files.h"
 #include "viewer/widgets/color_bar.h"
@@ -90,13 +92,82 @@ TEST_F(PicturePanelTest, HoverSaysWhatEvaluateSays) {
             const std::string text = window.text_of([&] { draw_hover_readout(window.session); });
             const auto map = evaluate(picture, about.quantity, 0);
             const MapPixel& value = map.value().pixels[picture.pixel(at.x, at.y)];
-            const std::string number = value.state == PixelState::defined ? short_number(value.value, 6)
-                                                                          : std::string(state_text(value.state));
-            EXPECT_NE(text.find(std::string(about.title) + " " + number), std::string::npos) << number << "\n" << text;
+            const std::string title = std::string(about.title) + " ";
+            const std::size_t place = text.find(title);
+            ASSERT_NE(place, std::string::npos) << text;
+            const std::string shown = text.substr(place + title.size());
+            if (value.state == PixelState::defined) {
+                // Digits end where a bar begins; the least of these bars is 0.01, none is wider than half a range.
+                const double size = about.kind == ScaleKind::cyclic ? 90.0 : 1.0;
+                EXPECT_NEAR(std::stod(shown), value.value, 0.05 * size) << text;
+            } else {
+                EXPECT_EQ(shown.find(state_text(value.state)), 0u) << text;
+            }
             EXPECT_NE(text.find("x " + std::to_string(at.x) + "  y " + std::to_string(at.y)), std::string::npos);
-            EXPECT_NE(text.find("S3 " + short_number(picture.at(0, picture.pixel(at.x, at.y)).s3, 5)),
-                      std::string::npos);
+            const double s3 = picture.at(0, picture.pixel(at.x, at.y)).s3;
+            const std::size_t of_s3 = text.rfind("S3 ");
+            ASSERT_NE(of_s3, std::string::npos);
+            EXPECT_NEAR(std::stod(text.substr(of_s3 + 3)), s3, 5e-4) << "1 % is missing: digits down to 1e-3";
         }
+    }
+}
+
+TEST_F(PicturePanelTest, HoverIsLabeledInTheShownConvention) {
+    window.move(window.place_of({9, 11}));
+    const double s3 = window.session.current()->picture().at(0, window.session.current()->picture().pixel(9, 11)).s3;
+    const auto hover = [&] { return window.text_of([&] { draw_hover_readout(window.session); }); };
+    const auto s3_in = [](const std::string& text) { return std::stod(text.substr(text.rfind("S3 ") + 3)); };
+    EXPECT_EQ(hover().find("receiver"), std::string::npos) << "the usual one is not named";
+    window.session.view.convention.positive_s3 = PositiveS3::left;
+    std::string text = hover();
+    EXPECT_NE(text.find("receiver's view, S3 > 0 left"), std::string::npos) << text;
+    EXPECT_NEAR(s3_in(text.substr(0, text.find("receiver"))), -s3, 5e-4) << text;
+    window.session.view.convention.viewpoint = Viewpoint::source;
+    text = hover();
+    EXPECT_NEAR(s3_in(text.substr(0, text.find("source"))), s3, 5e-4) << text;
+    window.session.sheet.frame = FrameChoice::own_angle;
+    EXPECT_NE(hover().find("camera frame"), std::string::npos) << "the inspector has another one";
+}
+
+// What +1 is called stands at the end of the bar, and the title says whose words these are.
+TEST_F(PicturePanelTest, TheColorBarNamesTheSignsOfTheShownConvention) {
+    ColorBar bar;
+    for (const Quantity quantity : {Quantity::s3, Quantity::handedness}) {
+        window.session.show(quantity);
+        EXPECT_EQ(map_options(window.session).words.high, "right");
+        EXPECT_EQ(window.text_of([&] { bar.draw(window.session, 300.0F); }).find("view"), std::string::npos);
+        window.session.view.convention.viewpoint = Viewpoint::source;
+        EXPECT_EQ(map_options(window.session).words.high, "right") << "of the opposite light";
+        window.session.view.convention.positive_s3 = PositiveS3::left;
+        EXPECT_EQ(map_options(window.session).words.high, "left");
+        const std::string text = window.text_of([&] { bar.draw(window.session, 300.0F); });
+        EXPECT_NE(text.find("source's view, S3 > 0 left"), std::string::npos) << text;
+        window.session.view.convention = {};
+    }
+    window.session.view.convention.viewpoint = Viewpoint::source;
+    window.session.show(Quantity::dop);
+    EXPECT_EQ(window.text_of([&] { bar.draw(window.session, 300.0F); }).find("source"), std::string::npos);
+}
+
+// x is right for who looks: from behind the picture it points to its left.
+TEST_F(PicturePanelTest, TheAxesAtThePinAreThoseOfTheShownFrameAndConvention) {
+    window.session.pin({3, 7});
+    window.session.sheet.frame = FrameChoice::own_angle;
+    window.session.sheet.own_angle = radians(30.0);
+    for (const Viewpoint viewpoint : {Viewpoint::receiver, Viewpoint::source}) {
+        window.session.view.convention.viewpoint = viewpoint;
+        const SheetAxes axes = sheet_axes(window.session);
+        const double right = viewpoint == Viewpoint::receiver ? 1.0 : -1.0;
+        EXPECT_NEAR(axes.x.x, right * std::cos(radians(30.0)), 1e-15);
+        EXPECT_NEAR(axes.x.y, -right * 0.5, 1e-15) << "up on screen is negative y";
+        EXPECT_NEAR(axes.y.x, -0.5, 1e-15);
+        EXPECT_NEAR(axes.y.y, -std::cos(radians(30.0)), 1e-15);
+        // Light along the x axis, as the sheet writes it, lies along the arrow.
+        const double psi = make_pixel_sheet(window.session).measures.azimuth;
+        const DVec2 along = std::cos(psi) * axes.x + std::sin(psi) * axes.y;
+        const double on_picture =
+            measure(window.session.current()->picture().at(0, window.session.current()->picture().pixel(3, 7))).azimuth;
+        EXPECT_NEAR(std::abs(along.x * std::cos(on_picture) - along.y * std::sin(on_picture)), 1.0, 1e-12);
     }
 }
 

@@ -2,6 +2,8 @@
 // What the window says about a pixel is what the maps and the command line say.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "core/units.h"
 #include "known_picture.h"
 #include "maps/color_picture.h"
@@ -58,8 +60,9 @@ TEST(PixelReading, GivesEveryValueItsBar) {
                 EXPECT_LE(there, value.bar->high + 1e-12) << info(quantity).name;
             }
         }
-        EXPECT_GT(*value.half_width(), 0.0);
-        EXPECT_NE(reading_text(quantity, value).find("\u00b1"), std::string::npos);
+        EXPECT_LT(value.bar->low, value.bar->high);
+        const std::string text = reading_text(quantity, value);
+        EXPECT_TRUE(text.find("\u00b1") != std::string::npos || text.find('[') != std::string::npos) << text;
     }
 }
 
@@ -88,6 +91,48 @@ TEST(PixelReading, SeesNoLightBehindCrossedPolarizers) {
     }
 }
 
+// What a convention does to a state is in CONVENTIONS.md: seen from the source S2, S3 and the azimuth change their
+// signs, and with left positive S3 does.
+TEST(PixelReading, IsLabeledInTheShownConvention) {
+    Session session;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+    const PixelReading engine = read_pixel(session, {5, 9});
+    for (const Viewpoint viewpoint : {Viewpoint::receiver, Viewpoint::source}) {
+        for (const PositiveS3 positive : {PositiveS3::right, PositiveS3::left}) {
+            session.view.convention = {viewpoint, positive, TimeSign::plus};
+            const PixelReading shown = read_pixel(session, {5, 9});
+            const double mirror = viewpoint == Viewpoint::source ? -1.0 : 1.0;
+            const double turn = positive == PositiveS3::left ? -mirror : mirror;
+            const auto expect_times = [&](Quantity quantity, double sign) {
+                const QuantityReading a = engine.quantity(quantity, 0);
+                const QuantityReading b = shown.quantity(quantity, 0);
+                // Half widths of degrees, and of numbers of order 1, with a few roundings.
+                EXPECT_NEAR(b.pixel.value, sign * a.pixel.value, 1e-13) << info(quantity).name;
+                EXPECT_NEAR(b.bar->width(), a.bar->width(), 1e-13) << info(quantity).name;
+            };
+            expect_times(Quantity::dop, 1.0);
+            expect_times(Quantity::ellipticity, 1.0);
+            expect_times(Quantity::s1, 1.0);
+            expect_times(Quantity::s2, mirror);
+            expect_times(Quantity::s3, turn);
+            expect_times(Quantity::azimuth, mirror);
+            expect_times(Quantity::handedness, turn);
+        }
+    }
+}
+
+// Negative S0 is a number, and so is what it is called by.
+TEST(PixelReading, CallsNegativeLightUnphysical) {
+    StokesImage image = known_picture();
+    image.stokes[image.pixel(3, 4)].s0 = -0.5;
+    Session session;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    const PixelReading reading = read_pixel(session, {3, 4});
+    EXPECT_EQ(reading_text(Quantity::dop, reading.quantity(Quantity::dop, 0)), "unphysical");
+    EXPECT_NE(state_definition(PixelState::unphysical).find("S0"), std::string_view::npos);
+    EXPECT_EQ(state_definition(PixelState::not_a_number).find("S0"), std::string_view::npos);
+}
+
 TEST(PixelReading, SaysWhereTheIntensityHasNoUnit) {
     StokesImage image = known_picture();
     image.wavelengths_nm = {250.0, 600.0};
@@ -95,6 +140,62 @@ TEST(PixelReading, SaysWhereTheIntensityHasNoUnit) {
     ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
     EXPECT_EQ(read_pixel(session, {1, 1}).quantity(Quantity::intensity, 0).pixel.state, PixelState::undefined);
     EXPECT_EQ(read_pixel(session, {1, 1}).quantity(Quantity::intensity, 1).pixel.state, PixelState::defined);
+}
+
+QuantityReading reading_of(double value, double low, double high) {
+    return {{value, 1.0, PixelState::defined}, Interval<double>{low, high}, 1e-12};
+}
+
+// 0.9975 - 0.4665 = 0.531: 1.464 is no degree of polarization.
+TEST(ReadingText, WritesAOneSidedBarAsTheIntervalThatItIs) {
+    EXPECT_EQ(reading_text(Quantity::dop, reading_of(0.9975, 0.531, 0.9975)), "0.998 [0.531, 0.998]");
+    EXPECT_EQ(reading_text(Quantity::dop, reading_of(0.5, 0.45, 0.56)), "0.5 [0.45, 0.56]");
+    EXPECT_EQ(reading_text(Quantity::azimuth, reading_of(10.0, 9.0, 12.5)), "10\u00b0 [9\u00b0, 12.5\u00b0]");
+    EXPECT_EQ(reading_text(Quantity::intensity, reading_of(0.5, 0.5, 0.51)), "0.5 \u00d7 D65 [0.5, 0.51] \u00d7 D65");
+    EXPECT_EQ(reading_text(Quantity::dop, {{0.0, 0.0, PixelState::undetermined}, Interval<double>{0.2, 1.0}}),
+              "not determined [0.2, 1]");
+}
+
+// The ends of what is written contain the truth, too.
+TEST(ReadingText, RoundsBarsOutwardsAndEndsDigitsWhereTheyBegin) {
+    EXPECT_EQ(reading_text(Quantity::dop, reading_of(0.8312449, 0.8312449 - 0.00204, 0.8312449 + 0.00204)),
+              "0.8312 \u00b1 0.0021");
+    EXPECT_EQ(reading_text(Quantity::dop, reading_of(0.12345678, 0.1, 0.4)), "0.123 [0.1, 0.4]");
+    EXPECT_EQ(reading_text(Quantity::s1, reading_of(-0.123456, -0.123456 - 0.3, -0.123456 + 0.3)), "-0.12 \u00b1 0.3");
+    EXPECT_EQ(reading_text(Quantity::intensity, reading_of(1.23456e-7, 1.23456e-7 - 4e-9, 1.23456e-7 + 4e-9)),
+              "1.235e-07 \u00d7 D65 \u00b1 4e-09 \u00d7 D65");
+    EXPECT_EQ(value_text(Quantity::dop, reading_of(0.8312449, 0.7312449, 0.9312449), 6), "0.83");
+    for (int i = 1; i < 200; ++i) {
+        const double low = 0.37 * i / 200.0;
+        const double high = 0.4 + 0.59 * i / 200.0;
+        const std::string text = interval_text({low, high}, 0.0, "");
+        double a = 0.0;
+        double b = 0.0;
+        ASSERT_EQ(std::sscanf(text.c_str(), "[%lf, %lf]", &a, &b), 2) << text;
+        // A step of the last digit is up to 1e-3; numbers are parsed with one rounding.
+        EXPECT_LE(a, low + 1e-15) << text;
+        EXPECT_GE(a, low - 1e-3) << text;
+        EXPECT_GE(b, high - 1e-15) << text;
+        EXPECT_LE(b, high + 1e-3) << text;
+    }
+}
+
+// 1e-17 beside 1 is what is left of a difference of equal numbers. 1e-9 is not.
+TEST(ReadingText, WritesWhatIsNothingButRoundingAsZero) {
+    EXPECT_EQ(reading_text(Quantity::s2, reading_of(1.2e-17, 1.2e-17, 1.2e-17)), "0");
+    EXPECT_EQ(reading_text(Quantity::s2, reading_of(-1.2e-9, -1.2e-9, -1.2e-9)), "-1.2e-09");
+    EXPECT_EQ(reading_text(Quantity::ellipticity, reading_of(0.5, 0.5 - 1e-16, 0.5 + 1e-16)), "0.5");
+    EXPECT_EQ(reading_text(Quantity::s2, reading_of(3e-17, -0.25, 0.25)), "0 \u00b1 0.25");
+    EXPECT_EQ(short_number(6.1e-17, 6, 1.0), "0");
+    EXPECT_EQ(short_number(6.1e-9, 6, 1.0), "6.1e-09");
+    Session session;
+    StokesImage image = known_picture();
+    image.residual.clear();
+    image.stokes.assign(image.stokes.size(), {0.5, 0.5, 3e-17, -6e-17});
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    const PixelReading reading = read_pixel(session, {3, 4});
+    EXPECT_EQ(reading_text(Quantity::azimuth, reading.quantity(Quantity::azimuth, 0)), "0\u00b0");
+    EXPECT_EQ(reading_text(Quantity::ellipticity, reading.quantity(Quantity::ellipticity, 0)), "0");
 }
 
 TEST(ReadingText, IsShortAndHonest) {

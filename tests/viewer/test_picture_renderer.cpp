@@ -125,7 +125,8 @@ void expect_same(const RgbPicture& actual, const RgbPicture& expected, int toler
 }
 
 RgbPicture expected_of(const StokesImage& film, const ViewSettings& view) {
-    const MapOptions options{view.style, view.range[static_cast<std::size_t>(view.quantity)], view.exposure};
+    MapOptions options{view.style, view.range[static_cast<std::size_t>(view.quantity)], view.exposure};
+    options.fade_by_bar = view.fade_by_bar;
     return draw_map(film, view.quantity, view.wavelength, options).value().picture;
 }
 
@@ -140,6 +141,36 @@ TEST_F(Picture, EqualsTheColoredMapForEveryQuantityStyleAndWavelength) {
                 session_.show(about.quantity);
                 expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view));
             }
+        }
+    }
+}
+
+TEST_F(Picture, FadesByTheBarAsTheColoredMapDoes) {
+    session_.view.fade_by_bar = true;
+    for (const MapStyle style : {MapStyle::scientific, MapStyle::paper}) {
+        for (const QuantityInfo& about : quantities()) {
+            SCOPED_TRACE(std::string(about.name) + ", style " + std::to_string(static_cast<int>(style)));
+            session_.view.style = style;
+            session_.show(about.quantity);
+            expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view));
+        }
+    }
+}
+
+// The textures are those of the light as it is labeled; a switch back and forth leaves nothing behind.
+TEST_F(Picture, FollowsTheConvention) {
+    for (const Convention& convention :
+         {Convention{Viewpoint::source, PositiveS3::right, TimeSign::minus},
+          Convention{Viewpoint::receiver, PositiveS3::left, TimeSign::minus},
+          Convention{Viewpoint::source, PositiveS3::left, TimeSign::plus}, Convention{}}) {
+        session_.view.convention = convention;
+        StokesImage labeled = film();
+        for (Stokes<double>& s : labeled.stokes) s = convention.stokes(s);
+        for (const Quantity quantity : {Quantity::s2, Quantity::s3, Quantity::handedness, Quantity::azimuth,
+                                        Quantity::ellipticity, Quantity::color}) {
+            SCOPED_TRACE(convention.text() + ", " + std::string(info(quantity).name));
+            session_.show(quantity);
+            expect_same(drawn_at_1_to_1(), expected_of(labeled, session_.view));
         }
     }
 }

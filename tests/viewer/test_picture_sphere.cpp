@@ -53,6 +53,37 @@ TEST(Sphere, ThePlaceOfAStateHasItsDegreeOfPolarizationAsRadius) {
     EXPECT_FALSE(sphere_point({1.0, NAN, 0.0, 0.0}));
 }
 
+// The field of (1, 0, 0, 1) turns clockwise for the receiver: right-handed for him, left-handed for the source.
+TEST(Sphere, ItsNamesAndPointsFollowTheConvention) {
+    StokesImage image = known_picture(1, 1);
+    image.stokes.assign(image.stokes.size(), {1.0, 0.0, 0.3, 0.9});
+    for (const Viewpoint viewpoint : {Viewpoint::receiver, Viewpoint::source}) {
+        for (const PositiveS3 positive : {PositiveS3::right, PositiveS3::left}) {
+            const Convention convention{viewpoint, positive, TimeSign::minus};
+            SCOPED_TRACE(convention.text());
+            const auto points = sphere_points(ShownPicture(image, {}, convention), 0, {0, 0, 1, 1}, 10);
+            ASSERT_EQ(points.size(), 1u);
+            std::string nearest;
+            std::string beside;
+            for (const SphereLabel& label : sphere_labels(convention)) {
+                if (label.at.z * points[0].place.z > 0.0) nearest = label.text;
+                if (label.at.y * points[0].place.y > 0.0) beside = label.text;
+            }
+            EXPECT_EQ(nearest, viewpoint == Viewpoint::receiver ? "R" : "L");
+            EXPECT_EQ(beside, viewpoint == Viewpoint::receiver ? "+45" : "-45");
+        }
+    }
+}
+
+TEST(SpherePanel, SaysWhichConventionItsNamesHave) {
+    WindowWithoutGl window;
+    ASSERT_NO_FATAL_FAILURE(open_picture(window.session, known_picture()));
+    SpherePanel panel;
+    window.session.view.convention = {Viewpoint::source, PositiveS3::left, TimeSign::minus};
+    EXPECT_NE(window.text_of([&] { panel.draw(window.session); }).find("source's view, S3 > 0 left"),
+              std::string::npos);
+}
+
 TEST(Sphere, TheLassoTakesExactlyThePixelsThatAreSeenInIt) {
     const StokesImage image = known_picture();
     const ShownPicture shown(image, {});
@@ -119,10 +150,12 @@ TEST(SpherePanel, ALassoMarksPixelsOfThePicture) {
 TEST(Sphere, ALeafIsWhereItsShareOfThePixelIs) {
     test::for_each_lit_branch([](const Plan&, const Explanation& e, int branch, const test::BranchLight& expected) {
         if (branch != 0) return;
-        const std::vector<SpherePoint> points = sphere_points(e, Bench{}, 100);
+        const std::vector<SpherePoint> points = sphere_points(e, Bench{}, Convention{}, 100);
         if (expected.light.s0 < 1e-12) return;  // a share of rounding is somewhere on the sphere
         ASSERT_EQ(points.size(), 1U);
         EXPECT_TRUE(e.tree.nodes[static_cast<std::size_t>(*points[0].node)].brings_light());
+        const auto mirrored = sphere_points(e, Bench{}, Convention{Viewpoint::source, PositiveS3::right, {}}, 100);
+        EXPECT_EQ(mirrored[0].place, points[0].place * DVec3(1.0, -1.0, -1.0)) << "S2 and S3 as the source sees them";
         const Stokes<double> in_pixel = test::seen_from({1.0, points[0].place.x, points[0].place.y, points[0].place.z},
                                                         e.task.ray.x, e.task.ray.y, expected.x);
         // Divided by S0, of which reflection leaves 0.1 % at the least.

@@ -56,8 +56,11 @@ Wish draw_element(BenchElement& element) {
     if (ImGui::SmallButton("x")) wish.remove = true;
     tooltip("Removes the element.");
     degrees_field("##axis", element.axis, 0.5);
-    tooltip(element.kind == BenchElementKind::polarizer ? "Transmission axis. Drag, or double click to type."
-                                                        : "Fast axis. Drag, or double click to type.");
+    tooltip(element.kind == BenchElementKind::polarizer
+                ? "Transmission axis, from image right, counter-clockwise as the camera sees it. Drag, or double click "
+                  "to type."
+                : "Fast axis, from image right, counter-clockwise as the camera sees it. Drag, or double click to "
+                  "type.");
     if (element.kind == BenchElementKind::retarder) {
         ImGui::SameLine();
         degrees_field("##retardance", element.retardance, 1.0);
@@ -73,7 +76,7 @@ Wish draw_element(BenchElement& element) {
     return wish;
 }
 
-void draw_presets(Bench& bench) {
+void draw_presets(Bench& bench, const Convention& convention) {
     if (ImGui::SmallButton("+ polarizer")) bench.elements.push_back({BenchElementKind::polarizer, true, 0.0, 0.0});
     tooltip("Ideal linear polarizer: passes the field along its axis, blocks the rest.");
     ImGui::SameLine();
@@ -84,16 +87,16 @@ void draw_presets(Bench& bench) {
     if (ImGui::SmallButton("analyzer")) ImGui::OpenPopup("analyzers");
     tooltip("Replaces the train by the analyzer of one of the six standard states.");
     if (!ImGui::BeginPopup("analyzers")) return;
-    for (const NamedAnalyzer& analyzer : standard_analyzers()) {
-        if (ImGui::MenuItem(std::string(analyzer.title).c_str())) bench = analyzer.bench;
+    for (const StandardAnalyzer& analyzer : standard_analyzers()) {
+        if (ImGui::MenuItem(convention.state_name(analyzer.passes).c_str())) bench = analyzer.bench;
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Nothing in the beam")) bench.elements.clear();
     ImGui::EndPopup();
 }
 
-void draw_mueller(const Bench& bench) {
-    const MuellerMatrix<double> train = bench.mueller();
+void draw_mueller(const Bench& bench, const Convention& convention) {
+    const MuellerMatrix<double> train = convention.mueller(bench.mueller());
     if (ImGui::BeginTable("mueller", 4, ImGuiTableFlags_SizingStretchSame)) {
         for (const auto& row : train.m) {
             for (const double entry : row) {
@@ -103,7 +106,7 @@ void draw_mueller(const Bench& bench) {
         }
         ImGui::EndTable();
     }
-    tooltip("Mueller matrix of the whole train in the pixel's frame.");
+    tooltip(("Mueller matrix of the whole train in the camera's frame; " + convention.stokes_text() + ".").c_str());
     if (!ImGui::SmallButton("copy Mueller matrix")) return;
     std::string text;
     for (const auto& row : train.m) text += fmt::format("{} {} {} {}\n", row[0], row[1], row[2], row[3]);
@@ -114,7 +117,7 @@ void draw_mueller(const Bench& bench) {
 
 void draw_bench_panel(Session& session) {
     Bench& bench = session.bench;
-    draw_presets(bench);
+    draw_presets(bench, session.view.convention);
     std::optional<std::size_t> removed;
     std::optional<std::pair<std::size_t, std::size_t>> swapped;
     for (std::size_t i = 0; i < bench.elements.size(); ++i) {
@@ -130,7 +133,7 @@ void draw_bench_panel(Session& session) {
     if (bench.empty())
         ImGui::TextDisabled("The light arrives as it is.");
     else
-        draw_mueller(bench);
+        draw_mueller(bench, session.view.convention);
 }
 
 }  // namespace pol

@@ -11,6 +11,7 @@
 #include "viewer/reading_text.h"
 #include "viewer/widgets/copyable.h"
 #include "viewer/widgets/theme.h"
+#include "viewer/widgets/tracers_convention.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {
@@ -72,6 +73,7 @@ void draw_fact_panel(Session& session) {
     } else {
         draw_tree_state(session);
     }
+    say_tracers_convention(session.view.convention);
     for (const FactRow& row : sheet.rows) {
         ImGui::PushID(row.reading);
         draw_row(row, colors(session.window.theme));

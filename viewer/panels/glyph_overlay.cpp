@@ -18,13 +18,13 @@ constexpr int segments = 24;
 /// b/a below which an ellipse is drawn as the line that it looks like.
 constexpr double looks_linear = 0.03;
 
-/// Blue right, yellow left as Wilkie & Weidlich have chirality; white linear.
-ImU32 handedness_ink(double ellipticity, double weight) {
-    const double share = std::min(1.0, 3.0 * std::abs(ellipticity));
-    const DVec3 hand = ellipticity > 0.0 ? DVec3(90.0, 170.0, 255.0) : DVec3(255.0, 205.0, 60.0);
+/// As glyph_key says.
+ImU32 handedness_ink(const Glyph& glyph, const Convention& convention) {
+    const double share = std::min(1.0, 3.0 * std::abs(glyph.ellipticity));
+    const DVec3 hand = is_right_handed(glyph, convention) ? DVec3(90.0, 170.0, 255.0) : DVec3(255.0, 205.0, 60.0);
     const DVec3 color = glm::mix(DVec3(255.0), hand, share);
     return IM_COL32(static_cast<int>(color.x), static_cast<int>(color.y), static_cast<int>(color.z),
-                    static_cast<int>(255.0 * weight));
+                    static_cast<int>(255.0 * glyph.weight));
 }
 
 void draw_stroke(ImDrawList& list, const DVec2& center, const Glyph& glyph, double radius, ImU32 color) {
@@ -71,7 +71,7 @@ void GlyphOverlay::draw(const Session& session, const ViewRect& viewport, const 
     for (const Glyph& glyph : glyphs_) {
         const DVec2 center = viewport.origin + session.transform.view_from_picture(glyph.center);
         const double radius = glyph_radius(glyph, settings);
-        const ImU32 color = handedness_ink(glyph.ellipticity, glyph.weight);
+        const ImU32 color = handedness_ink(glyph, session.view.convention);
         const bool is_line = std::abs(glyph.ellipticity) < looks_linear;
         if (settings.kind == GlyphKind::azimuth_strokes) {
             draw_stroke(list, center, glyph, radius,

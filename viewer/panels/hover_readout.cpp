@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "maps/error_bars.h"
 #include "viewer/pixel_reading.h"
 #include "viewer/reading_text.h"
 
@@ -19,16 +22,18 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
         fmt::format("x {}  y {}{}", reading.address.x, reading.address.y, is_pinned ? " (pinned)" : "");
     const std::string bench = session.bench.empty() ? "" : "  behind the bench";
     if (quantity == Quantity::color) {
-        return fmt::format("{}  linear sRGB {}  {}  {}{}", place, short_number(reading.color[0], 4),
-                           short_number(reading.color[1], 4), short_number(reading.color[2], 4), bench);
+        const double size =
+            std::max({std::abs(reading.color[0]), std::abs(reading.color[1]), std::abs(reading.color[2])});
+        return fmt::format("{}  linear sRGB {}  {}  {}{}", place, short_number(reading.color[0], 4, size),
+                           short_number(reading.color[1], 4, size), short_number(reading.color[2], 4, size), bench);
     }
     const double nm = reading.wavelengths[session.view.wavelength].wavelength_nm;
     if (session.comparison()) {
         const ShownQuantity both = session.shown_quantity();
         const std::size_t pixel = session.current()->picture().pixel(reading.address.x, reading.address.y);
-        const auto text = [&](const MapPixel& value) { return reading_text(quantity, {value, std::nullopt}); };
-        return fmt::format("{}  {} {} minus {}: {}  {:.6g} nm{}", place, info(quantity).title, text(both.own(pixel)),
-                           text(both.of_reference(pixel)), text(both.at(pixel)), nm, bench);
+        return fmt::format("{}  {} {} minus {}: {}  {:.6g} nm{}", place, info(quantity).title,
+                           value_text(quantity, both.own(pixel), 6), value_text(quantity, both.of_reference(pixel), 6),
+                           reading_text(quantity, both.reading(pixel)), nm, bench);
     }
     const QuantityReading value = reading.quantity(quantity, session.view.wavelength);
     return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, reading_text(quantity, value), nm, bench);
@@ -37,11 +42,20 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
 std::string second_line(const Session& session, const PixelReading& reading) {
     const PixelLight& light = reading.wavelengths[session.view.wavelength].light;
     const Stokes<double>& s = light.stokes;
-    std::string text = fmt::format("S0 {}  S1 {}  S2 {}  S3 {}", short_number(s.s0, 5), short_number(s.s1, 5),
-                                   short_number(s.s2, 5), short_number(s.s3, 5));
+    const auto bars = stokes_bars(light);
+    const auto number = [&](double value, Interval<double> MeasureBounds<double>::*bar) {
+        const auto interval = bars ? std::optional((*bars).*bar) : std::nullopt;
+        return number_text(value, interval, rounding_of(light), 5, "").value;
+    };
+    using Bars = MeasureBounds<double>;
+    std::string text = fmt::format("S0 {}  S1 {}  S2 {}  S3 {}", number(s.s0, &Bars::s0), number(s.s1, &Bars::s1),
+                                   number(s.s2, &Bars::s2), number(s.s3, &Bars::s3));
     text += fmt::format("  not traced {}", short_number(light.residual, 3));
     if (reading.samples) text += fmt::format("  samples {}", *reading.samples);
     if (reading.failures && *reading.failures > 0) text += fmt::format("  failed {}", *reading.failures);
+    if (session.view.convention != Convention{}) text += "  " + session.view.convention.stokes_text();
+    // The inspector may write the same light in another frame.
+    if (session.sheet.frame != FrameChoice::camera) text += "  camera frame";
     return text;
 }
 

@@ -65,7 +65,7 @@ void MapsPanel::draw(Session& session) {
         if (ImGui::Selectable(title.c_str(), session.view.quantity == quantity.quantity))
             session.show(quantity.quantity);
         name_widget("map " + std::string(quantity.name));
-        tooltip(std::string(quantity.definition).c_str());
+        tooltip(session.view.convention.definition(quantity.quantity).c_str());
         if (chord.key == Key::none) continue;
         ImGui::SameLine(ImGui::GetContentRegionMax().x - key_column);
         ImGui::TextDisabled("%s", name_of(chord).c_str());

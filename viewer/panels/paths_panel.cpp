@@ -10,6 +10,7 @@
 #include "viewer/panels/tree_state.h"
 #include "viewer/reading_text.h"
 #include "viewer/widgets/copyable.h"
+#include "viewer/widgets/tracers_convention.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {
@@ -164,6 +165,7 @@ void PathsPanel::draw(Session& session) {
     if (!session.selection.node) return;
     const SheetGroup sheet = make_branch_sheet(*session.current()->plan(), *explanation, *session.selection.node);
     ImGui::TextUnformatted(sheet.title.c_str());
+    say_tracers_convention(session.view.convention);
     if (!ImGui::BeginTable("branch", 2)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);

@@ -37,7 +37,7 @@ TileRect visible_pixels(const Session& session, const DVec2& view) {
 /// What stands inside a pixel: a line per number.
 class PixelLabels {
 public:
-    explicit PixelLabels(const Session& session) : shown_(session.current()->picture(), session.bench) {
+    explicit PixelLabels(const Session& session) : shown_(session.shown_picture()) {
         if (session.view.quantity == Quantity::color)
             weights_ = color_weights(shown_.picture().wavelengths_nm);
         else
@@ -50,12 +50,25 @@ public:
             for (std::size_t w = 0; w < weights_.size(); ++w) {
                 for (std::size_t c = 0; c < 3; ++c) color[c] += weights_[w][c] * shown_.stokes(w, pixel).s0;
             }
-            return fmt::format("{}\n{}\n{}", short_number(color[0], 3), short_number(color[1], 3),
-                               short_number(color[2], 3));
+            const double size = std::max({std::abs(color[0]), std::abs(color[1]), std::abs(color[2])});
+            return fmt::format("{}\n{}\n{}", short_number(color[0], 3, size), short_number(color[1], 3, size),
+                               short_number(color[2], 3, size));
         }
-        const MapPixel value = quantity_->at(pixel);
-        if (value.state == PixelState::defined) return short_number(value.value, 3);
-        return value.state == PixelState::not_a_number ? "NaN" : value.state == PixelState::undetermined ? "?" : "-";
+        const QuantityReading reading = quantity_->reading(pixel);
+        switch (reading.pixel.state) {
+            case PixelState::defined:
+                return number_text(reading.pixel.value, reading.bar, reading.rounding, 3, "").value;
+            case PixelState::undetermined:
+                return "?";
+            case PixelState::not_a_number:
+                return "NaN";
+            case PixelState::unphysical:
+                return "!";
+            case PixelState::no_light:
+            case PixelState::undefined:
+                break;
+        }
+        return "-";
     }
 
 private:
@@ -95,17 +108,16 @@ void draw_region(const Session& session, const ViewRect& viewport, ImDrawList& l
     list.AddRect(a, b, white_ink, 0.0F, 0, 1.0F);
 }
 
-/// Axes of the frame that the pixel's state is written in; `angle` from image right to x, counter-clockwise.
-void draw_frame(const DVec2& center, double clear, double angle, ImDrawList& list) {
+/// Axes of the frame that the pixel's state is written in.
+void draw_frame(const DVec2& center, double clear, const SheetAxes& axes, ImDrawList& list) {
     constexpr double length = 26.0;
     const auto draw_axis = [&](const DVec2& along, ImU32 color, const std::string& name) {
         rimmed_arrow(list, point(center + clear * along), point(center + (clear + length) * along), color);
         const DVec2 middle = center + (clear + length + 9.0) * along;
         rimmed_text(list, point(middle - DVec2(3.5, 7.0)), white_ink, name);
     };
-    // On screen y runs down.
-    draw_axis({std::cos(angle), -std::sin(angle)}, IM_COL32(255, 110, 90, 255), "x");
-    draw_axis({-std::sin(angle), -std::cos(angle)}, IM_COL32(120, 220, 120, 255), "y");
+    draw_axis(axes.x, IM_COL32(255, 110, 90, 255), "x");
+    draw_axis(axes.y, IM_COL32(120, 220, 120, 255), "y");
 }
 
 /// Corners of the tiles that workers are at.
@@ -136,7 +148,7 @@ void draw_pins(const Session& session, const ViewRect& viewport, ImDrawList& lis
         list.AddRect(point(center - corner), point(center + corner), color, 0.0F, 0, 1.5F);
         if (selection.pins.size() > 1)
             rimmed_text(list, point(center + DVec2(half + 2.0, half - 4.0)), color, std::to_string(i + 1));
-        if (is_current) draw_frame(center, half + 1.0, sheet_frame_angle(session), list);
+        if (is_current) draw_frame(center, half + 1.0, sheet_axes(session), list);
     }
 }
 

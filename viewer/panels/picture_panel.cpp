@@ -73,7 +73,8 @@ void PicturePanel::draw(Session& session, Frame& frame) {
     place_picture(session, frame.viewport.size);
     handle_mouse(session, frame.viewport);
     overlay_.draw(session, frame.viewport);
-    if (shown_kind(session) == ScaleKind::cyclic && session.view.style != MapStyle::paper) {
+    // Differences are no directions of the picture.
+    if (session.view.quantity == Quantity::azimuth && !session.comparison()) {
         const DVec2 corner = frame.viewport.origin + frame.viewport.size;
         draw_azimuth_wheel(session, corner - DVec2(wheel_radius + 10.0), wheel_radius);
     }

@@ -65,37 +65,36 @@ void draw_convention_choice(Convention& convention) {
     constexpr const char* views[] = {"receiver: against the light", "source: along the light"};
     constexpr const char* signs[] = {"right-handed", "left-handed"};
     constexpr const char* times[] = {"exp(-i\u03c9t)", "exp(+i\u03c9t)"};
-    choose("Who looks", convention.viewpoint, views, 2, "Exchanges right and left, turns x, S2, S3 and azimuth round");
+    choose("Who looks", convention.viewpoint, views, 2,
+           "Exchanges right and left, turns x, S2, S3 and azimuth round; in all panels, maps and exports");
     choose("S3 > 0 is", convention.positive_s3, signs, 2, "Sign of S3 and of the ellipticity angle");
     choose("Time", convention.time_sign, times, 2, "The other sign conjugates the matrix; Stokes vectors stay");
 }
 
 void draw_matrix(const PixelSheet& sheet) {
-    constexpr int digits = 4;  // what fits into a panel of 400 points
     const CoherenceMatrix<double>& j = sheet.matrix;
+    const MatrixTexts& texts = sheet.matrix_texts;
     const auto& rows = sheet.groups.front().rows;
-    const std::string xy = exact_text(j.xy);
-    const std::string yx = exact_text(conj(j.xy));
-    const bool good = !rows[1].exact.empty() && !rows[2].exact.empty();
     if (!ImGui::BeginTable("matrix", 3, ImGuiTableFlags_BordersOuter | ImGuiTableFlags_BordersInner)) return;
     ImGui::TableSetupColumn("J", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("x", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("y", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
+    const auto cell = [](const char* id, const std::string& text, const std::string& exact, const std::string& help) {
+        ImGui::TableNextColumn();
+        copyable(id, text.empty() ? "not a number" : text, text.empty() ? "" : exact, help);
+    };
+    const std::string parts = ": " + rows[1].bar + " in the real part, " + rows[2].bar + " in the imaginary";
+    const std::string bars = rows[1].bar.empty() ? "" : parts;
+    const auto bar_of = [](const SheetRow& row) { return row.bar.empty() ? "" : ": " + row.bar; };
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("x");
-    ImGui::TableNextColumn();
-    copyable("xx", rows[0].exact.empty() ? rows[0].value : short_number(j.xx, digits), rows[0].exact,
-             "J_xx = <E_x E_x*>");
-    ImGui::TableNextColumn();
-    copyable("xy", complex_text(j.xy, digits), good ? xy : "", "J_xy = <E_x E_y*>");
+    cell("xx", texts.xx, rows[0].exact, "J_xx = <E_x E_x*>" + bar_of(rows[0]));
+    cell("xy", texts.xy, exact_text(j.xy), "J_xy = <E_x E_y*>" + bars);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("y");
-    ImGui::TableNextColumn();
-    copyable("yx", complex_text(conj(j.xy), digits), good ? yx : "", "J_yx, the conjugate of J_xy");
-    ImGui::TableNextColumn();
-    copyable("yy", rows[3].exact.empty() ? rows[3].value : short_number(j.yy, digits), rows[3].exact,
-             "J_yy = <E_y E_y*>");
+    cell("yx", texts.yx, exact_text(conj(j.xy)), "J_yx, the conjugate of J_xy" + bars);
+    cell("yy", texts.yy, rows[3].exact, "J_yy = <E_y E_y*>" + bar_of(rows[3]));
     ImGui::EndTable();
 }
 
@@ -114,7 +113,8 @@ void draw_group(const SheetGroup& group) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row.bar.c_str());
         if (!row.bar.empty() && ImGui::IsItemHovered())
-            ImGui::SetTooltip("The truth lies in this range: a rigorous bound from residual and tail");
+            ImGui::SetTooltip("The truth lies in this range: a rigorous bound from residual and tail\n%s",
+                              row.exact_bar.c_str());
     }
     ImGui::EndTable();
 }
@@ -154,9 +154,9 @@ void PixelPanel::draw(Session& session) {
     draw_matrix(sheet);
     draw_frame_choice(session.sheet);
     if (!sheet.trouble.empty()) ImGui::TextWrapped("%s", sheet.trouble.c_str());
-    ImGui::TextDisabled("%s", session.sheet.convention.text().c_str());
+    ImGui::TextDisabled("%s", sheet.convention.c_str());
     if (ImGui::TreeNode("Convention")) {
-        draw_convention_choice(session.sheet.convention);
+        draw_convention_choice(session.view.convention);
         ImGui::TreePop();
     }
     draw_polarization_ellipse(sheet.seen, ImGui::GetFontSize() * 10.0F);

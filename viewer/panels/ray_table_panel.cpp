@@ -12,6 +12,7 @@
 #include "viewer/panels/tree_state.h"
 #include "viewer/pixel_export.h"
 #include "viewer/reading_text.h"
+#include "viewer/widgets/tracers_convention.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {
@@ -30,9 +31,9 @@ void draw_exports(Session& session) {
         name_widget(std::string("export ") + name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
     };
-    button("CSV", RayFormat::csv, "This table, all columns at full precision");
+    button("CSV", RayFormat::csv, "This table, all columns at full precision, in the tracer's convention");
     ImGui::SameLine();
-    button("JSON", RayFormat::json, "The tree as polariscope explain --json prints it");
+    button("JSON", RayFormat::json, "The tree as polariscope explain --json prints it, in the tracer's convention");
     ImGui::SameLine();
     button("OBJ", RayFormat::obj, "The paths as lines in space, grouped by kind");
 }
@@ -132,6 +133,7 @@ void RayTablePanel::draw(Session& session) {
     ImGui::Text("%zu segments", explanation_->tree.nodes.size());
     ImGui::SameLine();
     draw_exports(session);
+    say_tracers_convention(session.view.convention);
     draw_table(session);
 }
 

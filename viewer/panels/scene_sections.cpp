@@ -154,8 +154,9 @@ std::optional<EmittedState> state_from(State state, const EmittedState& old, con
 
 void lamp_fields(EditForm& form, const std::string& name, Emission& lamp) {
     const std::string in = " of " + name;
-    const int taken = form.choice("polarization" + in, static_cast<int>(state_of(lamp.state)), state_names,
-                                  "State of the light that the lamp sends out.");
+    const int taken = form.choice(
+        "polarization" + in, static_cast<int>(state_of(lamp.state)), state_names,
+        "State of the light that the lamp sends out, named as scene files do: right and left for the receiver.");
     if (taken >= 0) {
         if (auto state = state_from(static_cast<State>(taken), lamp.state, form.scene)) {
             lamp.state = std::move(*state);
@@ -179,7 +180,8 @@ void lamp_fields(EditForm& form, const std::string& name, Emission& lamp) {
             const bool changed =
                 ImGui::DragScalarN(label.c_str(), ImGuiDataType_Double, &s.x, 3, 0.005F, nullptr, nullptr, "%.6g");
             if (changed) *fixed = FixedState{s.x, s.y, s.z, fixed->x_axis};
-            form.after(label, changed, "Stokes vector by S0; its length is the degree of polarization.");
+            form.after(label, changed,
+                       "Stokes vector by S0, S3 > 0 right for the receiver; its length is the degree of polarization.");
         }
         form.vector("x axis" + in, fixed->x_axis, 0.01,
                     "From where the state's angles count, in the lamp's own space.");

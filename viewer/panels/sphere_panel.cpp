@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -53,7 +52,8 @@ void draw_circle(ImDrawList& list, const SphereView& view, const DVec3& a, const
     }
 }
 
-void draw_globe(ImDrawList& list, const SphereView& view, const DVec2& center, double radius) {
+void draw_globe(ImDrawList& list, const SphereView& view, const Convention& convention, const DVec2& center,
+                double radius) {
     list.AddCircle(point(center), static_cast<float>(radius), ImGui::GetColorU32(ImGuiCol_Text, 0.6F), 96);
     const DVec3 s1(1.0, 0.0, 0.0);
     const DVec3 s2(0.0, 1.0, 0.0);
@@ -61,16 +61,11 @@ void draw_globe(ImDrawList& list, const SphereView& view, const DVec2& center, d
     draw_circle(list, view, s1, s2, center, radius);
     draw_circle(list, view, s1, s3, center, radius);
     draw_circle(list, view, s2, s3, center, radius);
-    struct Label {
-        DVec3 at;
-        const char* text;
-    };
-    const std::array<Label, 6> labels{{{s1, "H"}, {-s1, "V"}, {s2, "+45"}, {-s2, "-45"}, {s3, "R"}, {-s3, "L"}}};
-    for (const Label& label : labels) {
+    for (const SphereLabel& label : sphere_labels(convention)) {
         const DVec3 seen = view.seen(1.09 * label.at);
-        const ImVec2 size = ImGui::CalcTextSize(label.text);
+        const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
         list.AddText(point(on_screen(seen, center, radius) - 0.5 * DVec2(size.x, size.y)),
-                     ImGui::GetColorU32(ImGuiCol_Text, seen.z >= 0.0 ? 1.0F : 0.4F), label.text);
+                     ImGui::GetColorU32(ImGuiCol_Text, seen.z >= 0.0 ? 1.0F : 0.4F), label.text.c_str());
     }
 }
 
@@ -117,12 +112,13 @@ void SpherePanel::draw(Session& session) {
     handle_mouse(session, center, radius);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(0, 0, 0, 60));
-    draw_globe(list, view_, center, radius);
+    draw_globe(list, view_, session.view.convention, center, radius);
     draw_points(session, center, radius);
     for (std::size_t i = 0; i + 1 < lasso_.size(); ++i)
         list.AddLine(point(center + radius * DVec2(lasso_[i].x, -lasso_[i].y)),
                      point(center + radius * DVec2(lasso_[i + 1].x, -lasso_[i + 1].y)), pin_ink, 1.5F);
-    ImGui::TextDisabled(points_.size() == 1 ? "%zu point" : "%zu points", points_.size());
+    ImGui::TextDisabled("%zu %s; %s", points_.size(), points_.size() == 1 ? "point" : "points",
+                        session.view.convention.stokes_text().c_str());
 }
 
 void SpherePanel::choose_source(Session& session) {
@@ -148,7 +144,7 @@ void SpherePanel::choose_source(Session& session) {
 
 std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
     const StokesImage& picture = session.current()->picture();
-    const ShownPicture shown(picture, session.bench);
+    const ShownPicture shown = session.shown_picture();
     std::vector<SpherePoint> found;
     if (source_ == Source::region)
         return sphere_points(shown, session.view.wavelength, region_of(session), most_points);
@@ -165,7 +161,7 @@ std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
         return found;
     }
     const auto explanation = session.explanation();
-    return explanation ? sphere_points(*explanation, session.bench, most_points) : found;
+    return explanation ? sphere_points(*explanation, session.bench, session.view.convention, most_points) : found;
 }
 
 void SpherePanel::handle_mouse(Session& session, const DVec2& center, double radius) {
@@ -183,9 +179,8 @@ void SpherePanel::handle_mouse(Session& session, const DVec2& center, double rad
                            ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, click_slack).x == 0.0F &&
                            ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, click_slack).y == 0.0F;
     if (ImGui::IsItemDeactivated() && lasso_.size() > 2) {
-        const ShownPicture shown(session.current()->picture(), session.bench);
-        session.selection.mark(
-            pixels_inside(shown, session.view.wavelength, region_of(session), view_, lasso_, front_only_));
+        session.selection.mark(pixels_inside(session.shown_picture(), session.view.wavelength, region_of(session),
+                                             view_, lasso_, front_only_));
         source_ = Source::region;
     }
     if (ImGui::IsItemDeactivated()) lasso_.clear();

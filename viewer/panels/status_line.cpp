@@ -63,7 +63,7 @@ void draw_progress(const Document& document, const RenderProgress& progress, con
 /// The three figures that say how good the picture is.
 void draw_errors(const FilmStatus& film, const ThemeColors& color) {
     if (film.mean_samples <= 0.0) return;
-    entry("bound", color.text, "bound \u00b1" + percent(film.error.truncation),
+    entry("bound", color.text, "off by at most " + percent(film.error.truncation),
           "How far the picture may be off because light was not traced: a rigorous bound, relative to the picture.");
     if (film.error.sampling)
         entry("sampling", color.text, "sampling \u00b1" + percent(*film.error.sampling) + " (estimated, 68 %)",

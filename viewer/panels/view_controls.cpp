@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 
+#include "viewer/glyphs.h"
 #include "viewer/map_look.h"
 #include "viewer/widgets/ink.h"
 
@@ -65,7 +66,9 @@ void draw_view_controls(Session& session) {
     choose("style", view.style, style_names);
     tooltip(
         "Scientific: scales that need no color vision, states without a value in colors of their own. Paper: value "
-        "times D65, black where there is none, as Debelov & Kozlov print it. Wilkie & Weidlich: their colors of 2010.");
+        "times D65, black where there is no light or no polarization, as Debelov & Kozlov print it; signed maps and "
+        "the "
+        "azimuth as scientific. Wilkie & Weidlich: their colors of 2010.");
     choose_scale(view);
     slide("exposure", view.exposure, -10.0, 10.0, "%+.2f stops");
     tooltip(
@@ -84,16 +87,23 @@ void draw_view_controls(Session& session) {
     ImGui::Checkbox("over intensity", &view.over_intensity);
     tooltip("The map's color with the lightness of the picture.");
     ImGui::SameLine();
+    ImGui::Checkbox("fade by bar", &view.fade_by_bar);
+    tooltip(
+        "The wider the error bar of a pixel, the weaker its color; gray where the bar covers half of the range. Not on "
+        "a "
+        "gray scale, where gray is a value, and not for intensity and residual.");
     ImGui::Checkbox("numbers", &view.numbers_in_pixels);
     tooltip("The value inside each pixel when it is zoomed large enough.");
 }
 
-void draw_glyph_controls(GlyphSettings& glyphs) {
+void draw_glyph_controls(ViewSettings& view) {
+    GlyphSettings& glyphs = view.glyphs;
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - 80.0F);
     choose("ellipses", glyphs.kind, glyph_names);
-    tooltip(
-        "Polarization of the mean light around each glyph, where it stands above rounding and above what was not "
-        "traced. Blue and clockwise: right-handed; yellow: left-handed; white: linear.");
+    tooltip(("Polarization of the mean light around each glyph, where it stands above rounding and above what was not "
+             "traced. " +
+             glyph_key(view.convention))
+                .c_str());
     if (glyphs.kind != GlyphKind::none) {
         choose("length", glyphs.length, length_names);
         tooltip(

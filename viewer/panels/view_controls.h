@@ -9,6 +9,6 @@ namespace pol {
 void draw_view_controls(Session& session);
 
 /// Ellipses over the picture.
-void draw_glyph_controls(GlyphSettings& glyphs);
+void draw_glyph_controls(ViewSettings& view);
 
 }  // namespace pol

@@ -34,13 +34,16 @@ std::string title_of(const Session& session) {
     const std::string unit = about.unit.empty() || about.unit == "\u00b0" ? "" : fmt::format(" ({})", about.unit);
     const auto comparison = session.comparison();
     const std::string minus = comparison ? " minus that of " + comparison->reference->name() : "";
-    return fmt::format("{}{}{}, {:.6g} nm", about.title, minus, unit, nm);
+    const Convention& convention = session.view.convention;
+    const bool is_other = convention.stokes_text() != Convention{}.stokes_text();
+    const std::string labels = is_other && depends_on_convention(about.quantity) ? ", " + convention.stokes_text() : "";
+    return fmt::format("{}{}{}, {:.6g} nm{}", about.title, minus, unit, nm, labels);
 }
 
 /// A box in the colors of the state, hatched if those change from pixel to pixel.
-void draw_state_box(ImDrawList& list, ImVec2 at, float size, PixelState state) {
+void draw_state_box(ImDrawList& list, ImVec2 at, float size, PixelState state, bool black_is_none) {
     const ImVec2 end(at.x + size, at.y + size);
-    list.AddRectFilled(at, end, ink(state_color(state, 0, 0)));
+    list.AddRectFilled(at, end, ink(state_color(state, 0, 0, black_is_none)));
     if (state == PixelState::undetermined) {
         list.PushClipRect(at, end, true);
         for (float x = -size; x < size; x += 4.0F)
@@ -50,20 +53,7 @@ void draw_state_box(ImDrawList& list, ImVec2 at, float size, PixelState state) {
     list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_TextDisabled));
 }
 
-const char* state_definition(PixelState state) {
-    switch (state) {
-        case PixelState::no_light:
-            return "no light: S0, what was left out included, is nothing but rounding";
-        case PixelState::undefined:
-            return "undefined: light without the property, such as the azimuth of unpolarized or circular light";
-        case PixelState::undetermined:
-            return "not determined: so much light was not traced that the value may lie anywhere in half of its range";
-        default:
-            return "not a number: NaN, infinite or negative S0, a defect of the renderer";
-    }
-}
-
-void draw_legend(const Session& session) {
+void draw_legend(const Session& session, const MapScale& scale) {
     const MapSummary& summary = session.shown_map.summary();
     for (std::size_t i = 1; i < pixel_state_count; ++i) {
         const auto state = static_cast<PixelState>(i);
@@ -72,12 +62,16 @@ void draw_legend(const Session& session) {
         const float size = ImGui::GetFontSize() - 3.0F;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::Dummy({size, size});
-        draw_state_box(*ImGui::GetWindowDrawList(), {at.x, at.y + 2.0F}, size, state);
+        draw_state_box(*ImGui::GetWindowDrawList(), {at.x, at.y + 2.0F}, size, state, scale.black_is_none);
         ImGui::SameLine(0.0F, 4.0F);
         ImGui::TextUnformatted(
             fmt::format("{} {}", state_text(state), percentage(summary.state[i], summary.pixels)).c_str());
-        tooltip(state_definition(state));
+        tooltip(std::string(state_definition(state)).c_str());
     }
+    if (!session.view.fade_by_bar || !scale.can_fade()) return;
+    ImGui::SameLine(0.0F, 14.0F);
+    ImGui::TextUnformatted("fades with the error bar");
+    tooltip("Full color: exact. Gray: the bar covers half of the range.");
 }
 
 void draw_scale(ImDrawList& list, ImVec2 at, float width, ColorScale scale) {
@@ -93,13 +87,14 @@ void draw_scale(ImDrawList& list, ImVec2 at, float width, ColorScale scale) {
 
 void draw_ticks(ImDrawList& list, ImVec2 at, float width, const Session& session) {
     const MapRange range = bar_range(session);
+    const ScaleWords words = map_options(session).words;
     const QuantityInfo& about = info(session.view.quantity);
     const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
     const std::string unit(about.unit == "\u00b0" ? about.unit : "");
-    for (const double tick : bar_ticks(range, shown_kind(session))) {
+    for (const double tick : bar_ticks(range, map_look(session).kind)) {
         const float x = at.x + width * static_cast<float>((tick - range.low) / (range.high - range.low));
         list.AddLine({x, at.y}, {x, at.y + tick_length}, color);
-        const std::string text = short_number(tick, 4) + unit;
+        const std::string text = short_number(tick, 4, range.high - range.low) + unit + end_word(tick, range, words);
         const float half = 0.5F * ImGui::CalcTextSize(text.c_str()).x;
         const float left = std::clamp(x - half, at.x, at.x + width - 2.0F * half);
         list.AddText({left, at.y + tick_length}, color, text.c_str());
@@ -114,8 +109,9 @@ float color_bar_height() {
 
 void ColorBar::draw(Session& session, float width) {
     ImGui::TextUnformatted(title_of(session).c_str());
-    tooltip(std::string(info(session.view.quantity).definition).c_str());
-    draw_legend(session);
+    tooltip(session.view.convention.definition(session.view.quantity).c_str());
+    const MapScale scale = map_look(session);
+    draw_legend(session, scale);
     if (session.view.quantity == Quantity::color) {
         ImGui::TextDisabled("exposure %+.2f stops, offset %+.2f, gamma %.2f", session.view.exposure,
                             session.view.offset, session.view.gamma);
@@ -123,11 +119,11 @@ void ColorBar::draw(Session& session, float width) {
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_scale(list, at, width, map_look(session).scale);
+    draw_scale(list, at, width, scale.scale);
     ImGui::InvisibleButton("color bar", {width, bar_thickness + tick_length + ImGui::GetTextLineHeight()},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget("color bar");
-    if (shown_kind(session) != ScaleKind::cyclic) edit(session, width);
+    if (can_move_range(session)) edit(session, width);
     draw_ticks(list, {at.x, at.y + bar_thickness}, width, session);
 }
 
@@ -171,8 +167,9 @@ void draw_azimuth_wheel(const Session& session, const DVec2& center, double radi
     for (int i = 0; i < steps; ++i) {
         const double from = 2.0 * pi * i / steps;
         const double to = 2.0 * pi * (i + 1.2) / steps;
-        // Half a turn is the whole scale, which begins at -90 degrees; y runs downwards on screen.
-        const double turn = (from + pi / steps) / pi + 0.5;
+        // Half a turn is the whole scale, which begins at -90 degrees; y runs downwards on screen. Who looks from the
+        // source sees azimuths turn the other way.
+        const double turn = session.view.convention.x_sign() * (from + pi / steps) / pi + 0.5;
         const DVec2 a(std::cos(from), -std::sin(from));
         const DVec2 b(std::cos(to), -std::sin(to));
         list.AddQuadFilled(point(center + 0.4 * radius * a), point(center + radius * a), point(center + radius * b),

@@ -8,7 +8,8 @@ namespace pol {
 /// Height of draw_color_bar() in points: title and legend, bar, ticks.
 float color_bar_height();
 
-/// Title of the map, legend of the pixels without a value with their share, color scale with ticks and unit. The ends
+/// Title of the map, legend of the pixels without a value with their share, color scale with ticks, unit and, if it is
+/// signed, what the signs are called in the shown convention. The ends
 /// of the bar can be dragged, a double click gives them back; the right button types numbers.
 class ColorBar {
 public:

@@ -12,10 +12,7 @@ namespace pol {
 
 std::optional<std::size_t> draw_spectrum_plot(const SheetCurve& curve, const std::vector<double>& wavelengths_nm,
                                               std::size_t current, float height) {
-    const auto value_text = [](const std::optional<double>& value) {
-        return value ? short_number(*value, 6) : std::string("no value");
-    };
-    ImGui::Text("%s: %s at %s nm", curve.name.c_str(), value_text(curve.values[current]).c_str(),
+    ImGui::Text("%s: %s at %s nm", curve.name.c_str(), curve.texts[current].c_str(),
                 short_number(wavelengths_nm[current], 6).c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
@@ -55,7 +52,7 @@ std::optional<std::size_t> draw_spectrum_plot(const SheetCurve& curve, const std
     for (std::size_t w = 1; w < wavelengths_nm.size(); ++w)
         if (std::abs(x_of(w) - mouse) < std::abs(x_of(nearest) - mouse)) nearest = w;
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s at %s nm (click to show this wavelength)", value_text(curve.values[nearest]).c_str(),
+        ImGui::SetTooltip("%s at %s nm (click to show this wavelength)", curve.texts[nearest].c_str(),
                           short_number(wavelengths_nm[nearest], 6).c_str());
     return clicked ? std::optional(nearest) : std::nullopt;
 }
