@@ -6,6 +6,7 @@
 #include <exception>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "geometry/mesh_check.h"
@@ -59,6 +60,11 @@ Result<PolygonSoup> read_soup(const std::filesystem::path& path, const std::stri
     return mesh_error("unknown kind of mesh file '" + kind + "'", 0, "use .obj, .ply, .stl, .gltf or .glb");
 }
 
+// By its byte order mark. Some shells write what a program prints like this.
+bool is_utf16(std::string_view bytes) {
+    return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+}
+
 Error located(Error error, const std::filesystem::path& path) {
     error.place.file = path.string();
     return error;
@@ -71,6 +77,8 @@ Result<Mesh> load_mesh(const std::filesystem::path& path) {
         const Result<std::string> bytes = read_input_file(path, largest_file);
         if (!bytes) return bytes.error();
         Result<PolygonSoup> soup = read_soup(path, bytes.value());
+        if (!soup && is_utf16(bytes.value()))
+            return located(mesh_error("the file is UTF-16 text", 1, "save it as UTF-8"), path);
         if (!soup) return located(soup.error(), path);
         Result<Mesh> mesh = meshed(std::move(soup).value());
         if (!mesh) return located(mesh.error(), path);

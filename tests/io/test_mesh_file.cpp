@@ -171,9 +171,14 @@ TEST_F(MeshFile, PolygonsWithACornerInTheMiddleOfASideBecomeSoundTriangles) {
 // Damaged files: any answer will do but a crash, a hang or bad_alloc. Sanitizers look on in the asan preset.
 TEST_F(MeshFile, DamagedFilesNeverCrash) {
     const std::vector<std::pair<std::string, std::string>> seeds{
-        {"f.obj", box_obj},         {"f.ply", box_ply("ascii")}, {"g.ply", box_ply("binary_little_endian")},
-        {"f.stl", box_stl_ascii()}, {"g.stl", box_stl_binary()}, {"h.ply", box_ply("binary_big_endian")},
-        {"f.glb", box_glb()}};
+        {"f.obj", box_obj},
+        {"f.ply", box_ply("ascii")},
+        {"g.ply", box_ply("binary_little_endian")},
+        {"f.stl", box_stl_ascii()},
+        {"g.stl", box_stl_binary()},
+        {"h.ply", box_ply("binary_big_endian")},
+        {"f.glb", box_glb()},
+        {"u.obj", "v 0 0 0\nv 3 0 0\nv 3 2.1 0\nv 2 2 0\nv 2.1 1 0\nv 0.9 1.1 0\nv 1 2.2 0\nf 1 2 3 4 5 \\\n 6 7\n"}};
     std::uint32_t dimension = 0;
     const auto random = [&](std::size_t n) {
         return static_cast<std::size_t>(random_unit({11, 0, 0, 0}, dimension++) * static_cast<double>(n));

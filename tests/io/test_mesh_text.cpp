@@ -34,6 +34,17 @@ TEST_F(MeshText, TextFilesOfAnySystemReadTheSame) {
     }
 }
 
+TEST_F(MeshText, TextOfSixteenBitCharactersIsNamed) {
+    const std::pair<const char*, std::string> files[] = {
+        {"a.obj", box_obj}, {"a.ply", box_ply("ascii")}, {"a.stl", box_stl_ascii()}};
+    for (const auto& [name, text] : files) {
+        std::string wide = "\xff\xfe";
+        for (const char c : text) wide += {c, '\0'};
+        EXPECT_NE(complaint(name, wide).find(":1: the file is UTF-16 text"), std::string::npos);
+    }
+    expect_box(load("a.stl", box_stl_binary().replace(0, 5, "\xff\xfe...")));  // a header may hold any bytes
+}
+
 TEST_F(MeshText, LinesAreCountedWhateverEndsThem) {
     for (const char* end : {"\n", "\r\n", "\r"}) {
         EXPECT_NE(complaint("a.obj", with_line_ends("v 0 0 0\n\nv 1 0 zero\n", end)).find(":3: 'zero'"),
