@@ -7,6 +7,7 @@
 
 #include "core/units.h"
 #include "tracer/tree_names.h"
+#include "viewer/convention.h"
 #include "viewer/reading_text.h"
 
 namespace pol {
@@ -56,6 +57,8 @@ void add_arriving(std::vector<SheetRow>& rows, const Explanation& explanation, c
         rows.push_back(words("light", "not known on the random tail", help));
         return;
     }
+    rows.push_back(
+        words("light in", "E1, E2: " + Convention{}.text(), "Whatever convention the page of the pixel has"));
     const Stokes<double> s = to_stokes(*node.arriving);
     rows.push_back(number("light S0", s.s0, "", help));
     rows.push_back(number("light S1", s.s1, "", help, s.s0));

@@ -32,6 +32,25 @@ TEST_P(ExplainedScene, LeavesAddUpToTheRenderedPixelToTheLastBit) {
         }
 }
 
+// E1, E2 and -ray are right-handed whatever a path went through, and M takes the light on a branch to its share. A
+// surface costs some 60 operations, each rounded by eps/2, and the light of a branch is a sum over what grew from it.
+TEST_P(ExplainedScene, EveryBranchHasARightHandedFrameOfItsLightAndOfItsMatrix) {
+    const auto plan = test::plan_of(test::small(test::shipped_scene(GetParam()), 12));
+    for (int y = 1; y < 12; y += 3)
+        for (int x = 1; x < 12; x += 3) {
+            const Explanation e = explain(*plan, x, y, 0, 0);
+            for (const RayTreeNode& node : e.tree.nodes) {
+                const double rounding = 60.0 * test::eps * (node.start.depth + 1.0);
+                const auto& [e1, e2] = node.start.wave.field;
+                ASSERT_NEAR(dot(cross(e1, e2), -node.start.wave.ray), 1.0, rounding);
+                if (!node.arriving || e.result.tail > 0.0) continue;  // what a random path brings is in the share only
+                const double tolerance =
+                    60.0 * test::eps * static_cast<double>(e.tree.nodes.size()) * e.sample_light.s0;
+                test::expect_stokes(node.start.throughput.gather(*node.arriving), node.share, tolerance);
+            }
+        }
+}
+
 // Sample k of a pixel in area mode, rendered as a pass of its own, against its explanation.
 TEST_P(ExplainedScene, AnySampleOfAnAreaPictureIsExplainedToTheLastBit) {
     Scene scene = test::small(test::shipped_scene(GetParam()), 8);

@@ -228,6 +228,7 @@ TEST(BranchSheet, HasTheLightOfTheClosedFormInARightHandedFrame) {
             const CoherenceMatrix<double> j{number_of(sheet, "light J11"), number_of(sheet, "light J22"),
                                             complex_of(sheet, "light J12")};
             test::expect_stokes(to_stokes(j), light, test::eps);
+            EXPECT_EQ(copied(sheet, "light in"), "E1, E2: receiver's view, S3 > 0 right, exp(-i\u03c9t)");
             const double s3 = expected.light.s3;
             const std::string hand = copied(sheet, "light is");
             EXPECT_EQ(hand == "right", s3 > 1e-12) << hand;
