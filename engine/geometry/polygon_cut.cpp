@@ -21,11 +21,13 @@ constexpr std::size_t most_corners = 10'000;
 
 /// How far corners may lie off the plane: by a thousandth of the width, or by half a unit of the sixth digit of the
 /// coordinates, which is all that many programs write, but not by more than a few hundredths.
-double flatness(double width, std::span<const DVec3> corners) {
-    double largest = 0.0;
-    for (const DVec3& p : corners) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    return std::clamp(5e-6 * largest, 1e-3 * width, 3e-2 * width);
+double flatness(double width, double largest_coordinate) {
+    return std::clamp(5e-6 * largest_coordinate, 1e-3 * width, 3e-2 * width);
 }
+
+/// Of the largest coordinate: corners nearer to each other are one, as the sine of pi and 0 are at the pole of a
+/// sphere.
+constexpr double same_place = 1e-12;
 
 Error broken(std::string what) {
     return complaint("", std::move(what), "cut it into simple faces or triangles in a modeling program");
@@ -181,10 +183,12 @@ std::optional<Error> self_contact(std::span<const DVec2> outline, std::span<cons
 }  // namespace
 
 Result<std::vector<Triangle>> cut_polygon(std::span<const DVec3> given) {
+    double largest = 0.0;
+    for (const DVec3& p : given) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     std::vector<std::uint32_t> kept;
     std::vector<DVec3> corners;
     for (std::uint32_t i = 0; i < given.size(); ++i) {
-        if (given[i] == given[(i + 1) % given.size()]) continue;
+        if (glm::distance(given[i], given[(i + 1) % given.size()]) <= same_place * largest) continue;
         kept.push_back(i);
         corners.push_back(given[i]);
     }
@@ -204,7 +208,7 @@ Result<std::vector<Triangle>> cut_polygon(std::span<const DVec3> given) {
         low = std::min(low, height);
         high = std::max(high, height);
     }
-    if (0.5 * (high - low) > flatness(width, corners)) {
+    if (0.5 * (high - low) > flatness(width, largest)) {
         char bend[32];
         std::snprintf(bend, sizeof bend, "%.3g", 0.5 * (high - low));
         return broken("is not flat: its corners lie up to " + std::string(bend) + " off any plane, near " +
