@@ -190,7 +190,11 @@ Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppO
     std::optional<AppProbe> probe;
     if (!options.probe.empty()) probe.emplace(options.probe);
     EventLoop(*library.value(), *window.value(), session, *picture.value(), probe ? &*probe : nullptr).run(signals);
-    if (!remembered.empty()) return write_preferences(preferences_of(session), remembered);
+    if (remembered.empty()) return Done{};
+    // Nothing of the user's work: no reason to fail.
+    if (const auto written = write_preferences(preferences_of(session), remembered); !written)
+        std::fprintf(stderr, "polariscope: the window's settings are not remembered: %s\n",
+                     to_string(written.error()).c_str());
     return Done{};
 }
 

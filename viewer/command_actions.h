@@ -131,10 +131,12 @@ void export_tree(Session& session) {
     export_rays(session, format);
 }
 
-/// What Esc means: the sheet on top goes first, then marks, the region, and the pin.
+/// What Esc means: what is open on top goes first, then marks, the region, and the pin.
 inline void escape(Session& session) {
     WindowState& window = session.window;
-    if (window.help_visible)
+    if (window.popup_open)
+        window.close_popups = true;
+    else if (window.help_visible)
         window.help_visible = false;
     else if (window.log_visible)
         window.log_visible = false;

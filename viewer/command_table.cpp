@@ -285,7 +285,7 @@ constexpr std::array command_table{
     Command{"Pixel",
             "Close or release",
             {Key::escape},
-            "Closes the sheet on top; else takes away marks, the region, the pin.",
+            "Closes the menu or sheet on top; else takes away marks, the region, the pin.",
             escape},
     Command{"Pixel",
             "Save as test case",

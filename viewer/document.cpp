@@ -95,7 +95,6 @@ Result<std::unique_ptr<Document>> Document::make(Scene scene, std::string name, 
     document->renderer_ = start_workers(std::move(wake));
     if (auto started = document->render(scene); !started) return started.error();
     document->history_ = EditHistory(std::move(scene));
-    document->history_.mark_unsaved();
     return document;
 }
 
@@ -107,7 +106,6 @@ Result<std::unique_ptr<Document>> Document::of_fact(const verify::Fact& fact, st
     auto document = make(std::move(scene).value(), name, std::move(wake));
     if (!document) return document;
     document.value()->fact_ = ShownFact{&fact, view};
-    document.value()->history_.mark_saved();
     return document;
 }
 

@@ -38,11 +38,11 @@ public:
     /// Opens a scene (*.yaml, *.yml, *.json) and starts its render, or a Stokes picture (*.exr). Error: as the reader
     /// or the compiler has it.
     static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path, std::function<void()> wake);
-    /// A scene that no file has yet, by the name that Save will suggest ("calcite-twin.yaml"). Error: it cannot be
-    /// rendered.
+    /// A scene that no file has yet, by the name that Save will suggest ("calcite-twin.yaml"). It can be made again: it
+    /// is not dirty until it is edited. Error: it cannot be rendered.
     static Result<std::unique_ptr<Document>> make(Scene scene, std::string name, std::function<void()> wake);
-    /// The scene of a fact (verify/fact.h), which no file has: "T9-3.yaml" for its third view. Unlike other scenes
-    /// without a file it is not dirty until it is edited, since it can be opened again. Error: it cannot be rendered.
+    /// The scene of a fact (verify/fact.h), which no file has: "T9-3.yaml" for its third view. Error: it cannot be
+    /// rendered.
     static Result<std::unique_ptr<Document>> of_fact(const verify::Fact& fact, std::size_t view,
                                                      std::function<void()> wake);
     ~Document();
@@ -113,7 +113,7 @@ public:
 
     // The file --------------------------------------------------------------------------------------------------------
 
-    /// The scene is not what its file or its fact says, or has neither.
+    /// The scene was edited since it was read, made or saved.
     [[nodiscard]] bool dirty() const { return has_scene() && history_.dirty(); }
     /// Writes the scene as YAML that loads back to the same scene hash; from now on `path` is the document's file.
     /// Requires: has_scene().

@@ -46,8 +46,6 @@ public:
         saved_id_ = steps_[at_].id;
         seal();
     }
-    /// No file has this scene.
-    void mark_unsaved() { saved_id_ = 0; }
     [[nodiscard]] bool dirty() const { return steps_[at_].id != saved_id_; }
 
 private:

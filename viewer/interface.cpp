@@ -2,6 +2,7 @@
 #include "viewer/interface.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +84,16 @@ void tab(bool here, const char* name, const Draw& draw, ImGuiTabItemFlags flags 
     ImGui::EndTabItem();
 }
 
+/// Menus, combos and what else closes by a click beside it. Modal sheets close themselves.
+void close_popups(WindowState& state) {
+    if (std::exchange(state.close_popups, false) && ImGui::GetCurrentContext()->OpenPopupStack.Size > 0)
+        ImGui::ClosePopupToLevel(0, true);
+}
+
+bool any_popup_open() {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
 struct Widths {
     float left = 0.0F;
     float right = 0.0F;
@@ -142,6 +153,7 @@ void Interface::draw(Session& session, Frame& frame) {
         theme_ = state.theme;
         theme_scale_ = frame.ui_scale;
     }
+    close_popups(state);
     if (session.documents().size() < documents_) of_tree_.emplace();
     documents_ = session.documents().size();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -182,6 +194,7 @@ void Interface::draw(Session& session, Frame& frame) {
     if (frame.viewport.size.x > 0.0) session.view_size = frame.viewport.size;
     draw_problem_banner(session, frame);
     draw_sheets(session);
+    state.popup_open = any_popup_open();
     if (!state.to_clipboard.empty()) ImGui::SetClipboardText(std::exchange(state.to_clipboard, {}).c_str());
 }
 

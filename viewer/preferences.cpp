@@ -84,7 +84,13 @@ Result<Done> write_preferences(const Preferences& preferences, const fs::path& p
     file["recent_files"] = json::array();
     for (const fs::path& recent : preferences.recent_files) file["recent_files"].push_back(recent.string());
     std::error_code failed;
-    fs::create_directories(path.parent_path(), failed);  // if it fails, so does opening the file
+    fs::create_directories(path.parent_path(), failed);
+    if (failed)
+        return Error{ErrorKind::output,
+                     "the folder cannot be made: " + failed.message(),
+                     {path.parent_path().string()},
+                     {},
+                     "set XDG_CONFIG_HOME to a folder that you may write to"};
     return write_file(path, file.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "io/scene_hash.h"
 #include "verify/fact.h"
 #include "viewer/twins.h"
 
@@ -33,8 +34,20 @@ bool Session::open_scene(Scene scene, const std::string& name) {
     return adopt(Document::make(std::move(scene), name, wake_));
 }
 
+bool Session::show_again(const std::function<bool(const Document&)>& wanted) {
+    const auto found = std::find_if(documents_.begin(), documents_.end(),
+                                    [&](const auto& document) { return !document->dirty() && wanted(*document); });
+    if (found == documents_.end()) return false;
+    current_ = static_cast<int>(found - documents_.begin());
+    fit_wavelength();
+    return true;
+}
+
 bool Session::open_fact(const verify::Fact& fact, std::size_t view_index) {
-    if (!adopt(Document::of_fact(fact, view_index, wake_))) return false;
+    const auto is_this = [&](const Document& document) {
+        return document.fact() && document.fact()->fact == &fact && document.fact()->view == view_index;
+    };
+    if (!show_again(is_this) && !adopt(Document::of_fact(fact, view_index, wake_))) return false;
     pin_fact();
     window.fact_to_front = true;
     return true;
@@ -62,7 +75,12 @@ bool Session::open_unpolarized_twin() {
 bool Session::open_twin(Scene scene, const std::string& kind, const std::string& what_it_is) {
     Document* original = current();
     const std::string name = twin_name(original->name(), kind);
-    if (!open_scene(std::move(scene), name)) return false;
+    const std::string hash = scene_hash(scene);
+    const auto is_this = [&](const Document& document) {
+        return document.has_scene() && document.path().empty() && document.name() == name &&
+               scene_hash(document.scene()) == hash;
+    };
+    if (!show_again(is_this) && !open_scene(std::move(scene), name)) return false;
     reference_ = original;
     if (!view.difference || view.quantity == Quantity::color) toggle_difference();
     log.add(Severity::note, name + ": " + what_it_is + ". Shown minus " + original->name() +

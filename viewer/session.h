@@ -34,7 +34,8 @@ public:
     /// Makes a scene that no file has (a twin) the current document; on error the log says why.
     bool open_scene(Scene scene, const std::string& name);
     /// Makes the scene of a fact the current document, pins its pixel and brings the fact's page to the front; on error
-    /// the log says why. `fact` must outlive the session, as those of verify::facts() do.
+    /// the log says why. One that is open and was not edited is shown again. `fact` must outlive the session, as those
+    /// of verify::facts() do.
     bool open_fact(const verify::Fact& fact, std::size_t view_index);
     /// Closes the current document, saved or not; the one before it is shown.
     void close_document();
@@ -46,7 +47,7 @@ public:
     void step_document(int by);
 
     /// The current scene with glass in place of its crystals, or without polarization (twins.h), as a document of its
-    /// own, shown as its difference from the current one.
+    /// own, shown as its difference from the current one. One that is open and was not edited is shown again.
     bool open_isotropic_twin();
     bool open_unpolarized_twin();
 
@@ -126,6 +127,8 @@ private:
     void follow_files();
     void fit_wavelength();
     void fit_selection();
+    /// Makes a document that has no edits and that `wanted` chooses the current one; false if there is none.
+    bool show_again(const std::function<bool(const Document&)>& wanted);
 
     std::function<void()> wake_;
     std::vector<std::unique_ptr<Document>> documents_;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/view_command.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/report.h"
@@ -34,6 +38,14 @@ std::string check_size(const std::string& text) {
     return read && std::min(width, height) >= least && std::max(width, height) <= most
                ? std::string()
                : "'" + text + "' is no size of a window: WIDTHxHEIGHT, 320 to 16384, as in 1280x800";
+}
+
+/// The message if `text` is no folder that can be written to.
+std::string check_folder(const std::string& text) {
+    std::error_code failed;
+    if (!std::filesystem::is_directory(text, failed)) return "there is no folder '" + text + "': make it first";
+    if (::access(text.c_str(), W_OK | X_OK) != 0) return "the folder '" + text + "' cannot be written to";
+    return {};
 }
 
 /// All keys, from the table that the window itself goes by.
@@ -68,7 +80,7 @@ void add_view_command(CLI::App& app, int& exit_code) {
     command->add_option("--ui-scale", request->options.ui_scale, "Size of fonts and widgets; without it, the screen's")
         ->type_name("FACTOR")
         ->check(CLI::Range(0.5, 4.0).description({}));
-    command->add_option("--probe", request->options.probe)->group("");
+    command->add_option("--probe", request->options.probe)->group("")->check(CLI::Validator(check_folder, {}));
     command->footer(keys_text() +
                     "\nExamples:\n"
                     "  polariscope view assets/scenes/paper-calcite-unpolarized.yaml\n"

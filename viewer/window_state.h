@@ -31,12 +31,15 @@ struct WindowState {
     bool palette_visible = false;     ///< commands to type
     bool path_entry_visible = false;  ///< a file name to type
     bool save_as_visible = false;     ///< a file name for the scene to type
+    bool rewrite_asked = false;       ///< of the current document's file, which cannot take an edit as it is
     bool full_screen = false;
     Theme theme = Theme::dark;
     double ui_scale = 0.0;  ///< of fonts and widgets; 0: what the screen says
     Layout layout;
     Quit quit = Quit::no;
     bool close_asked = false;    ///< of the current document
+    bool popup_open = false;     ///< a menu, a combo: set by the interface
+    bool close_popups = false;   ///< taken by the interface
     bool fact_to_front = false;  ///< the page of the document's fact; taken by the interface
     std::string to_clipboard;    ///< taken by the interface; empty: nothing
     /// PNG file that the next frame is wanted as; taken by whoever shows it. Empty: none.
@@ -44,7 +47,8 @@ struct WindowState {
 
     /// A question or an entry is open: keys belong to it.
     [[nodiscard]] bool modal() const {
-        return palette_visible || path_entry_visible || save_as_visible || close_asked || quit == Quit::asked;
+        return palette_visible || path_entry_visible || save_as_visible || rewrite_asked || close_asked ||
+               quit == Quit::asked;
     }
 };
 

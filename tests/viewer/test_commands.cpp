@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "viewer/commands.h"
+#include "viewer/widgets/widget_map.h"
+#include "viewer/window_without_gl.h"
 
 namespace pol {
 namespace {
@@ -110,6 +112,44 @@ TEST(Commands, AHeldKeyTogglesOnce) {
     EXPECT_TRUE(run_command(session, {letter('E')}));
     EXPECT_TRUE(run_command(session, {letter('E')}, true));
     EXPECT_EQ(session.view.exposure, 1.0);
+}
+
+/// Clicks on a named widget as it was drawn last.
+void click(WindowWithoutGl& window, const WidgetMap& map, const std::string& name) {
+    window.draw(3);
+    ASSERT_TRUE(map.rects.contains(name)) << name;
+    const ViewRect& rect = map.rects.at(name);
+    window.click(rect.origin + 0.5 * rect.size);
+    window.draw(2);
+}
+
+TEST(Commands, EscClosesAMenuOrAComboBeforeItTakesAwayThePin) {
+    WindowWithoutGl window(1280.0F, 1400.0F);
+    Session& session = window.session;
+    WidgetMap map;
+    map.text_log = "/dev/null";
+    ImGui::GetIO().UserData = &map;
+    ASSERT_TRUE(session.open(std::string(POL_ASSETS) + "/scenes/cube-glass.yaml"));
+    session.pin({10, 20});
+    click(window, map, "tab Scene");
+    for (const char* opens : {"menu Facts", "menu File", "field mode", "button analyzer"}) {
+        SCOPED_TRACE(opens);
+        ASSERT_NO_FATAL_FAILURE(click(window, map, opens));
+        EXPECT_TRUE(session.window.popup_open);
+        EXPECT_TRUE(run_command(session, {Key::escape}));
+        window.draw();
+        EXPECT_FALSE(session.window.popup_open);
+        EXPECT_TRUE(session.selection.pinned());
+    }
+    session.window.help_visible = true;
+    ASSERT_NO_FATAL_FAILURE(click(window, map, "menu Map"));
+    EXPECT_TRUE(run_command(session, {Key::escape}));
+    window.draw();
+    EXPECT_TRUE(session.window.help_visible);
+    EXPECT_TRUE(run_command(session, {Key::escape}));
+    EXPECT_FALSE(session.window.help_visible);
+    EXPECT_TRUE(run_command(session, {Key::escape}));
+    EXPECT_FALSE(session.selection.pinned());
 }
 
 TEST(Keys, HaveTheNamesThatAreOnThem) {

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from window import SCENES, Display, Window, missing_tools, without_a_display
+from window import PATIENCE_S, SCENES, Display, Window, missing_tools, without_a_display
 
 PROGRAM = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
 MAP_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "d", "shift+d"]
@@ -222,6 +222,26 @@ class EndToEnd(unittest.TestCase):
         window.key("Up")
         self.assertEqual(window.state["document"], str(SCENES / "cube-glass.yaml"))
         self.assertEqual(window.end(signal.SIGINT), 0)
+
+    def test_a_folder_for_settings_that_cannot_be_made_costs_nothing_but_the_settings(self):
+        taken = self.folder / "taken"
+        taken.write_text("not a folder")
+        with subprocess.Popen([PROGRAM, "view", self.scene], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              env=self.display.environment | {"XDG_CONFIG_HOME": str(taken)}) as window:
+            find = ["xdotool", "search", "--sync", "--pid", str(window.pid)]
+            subprocess.run(find, env=self.display.environment, check=True, capture_output=True, timeout=PATIENCE_S)
+            window.send_signal(signal.SIGTERM)
+            _, errors = window.communicate(timeout=PATIENCE_S)
+        self.assertEqual(window.returncode, 0)
+        self.assertIn("settings are not remembered", errors)
+        self.assertIn(str(taken), errors)
+
+    def test_a_probe_without_its_folder_is_refused(self):
+        missing = self.folder / "missing"
+        run = subprocess.run([PROGRAM, "view", "--probe", missing, self.scene], env=self.display.environment,
+                             capture_output=True, text=True, timeout=PATIENCE_S)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn(f"there is no folder '{missing}'", run.stderr)
 
     def test_without_a_display_it_says_what_to_do(self):
         run = subprocess.run([PROGRAM, "view", self.scene], env=without_a_display(), capture_output=True, text=True, timeout=60)

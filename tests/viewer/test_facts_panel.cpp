@@ -103,6 +103,21 @@ TEST_F(FactsPanel, TheFactGoesWithItsDocument) {
     expect_says(panel_text(), verify::find_fact("T1")->sentence);
 }
 
+TEST_F(FactsPanel, AFactThatIsOpenIsShownAgainUnlessItWasEdited) {
+    open_t9();
+    const Document* first = session.current();
+    ASSERT_TRUE(session.open_fact(t9, 1));
+    ASSERT_TRUE(session.open_fact(t9, 2));
+    EXPECT_EQ(session.documents().size(), 2U);
+    EXPECT_EQ(session.current(), first);
+    EXPECT_EQ(session.selection.pinned(), (PixelAddress{t9.views[2].x, t9.views[2].y}));
+    Scene scene = first->scene();
+    scene.camera.horizontal_fov *= 0.5;
+    ASSERT_TRUE(session.current()->edit(std::move(scene), "fov"));
+    ASSERT_TRUE(session.open_fact(t9, 2));
+    EXPECT_EQ(session.documents().size(), 3U);
+}
+
 TEST_F(FactsPanel, EveryViewOpensAndPasses) {
     std::size_t opened = 0;
     for (const verify::Fact& fact : verify::facts()) {

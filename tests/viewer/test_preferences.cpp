@@ -27,6 +27,15 @@ TEST(Preferences, ReadBackAsTheyWereWritten) {
     EXPECT_EQ(read.value().recent_files, written.recent_files);
 }
 
+TEST(Preferences, AFolderThatCannotBeMadeIsNamed) {
+    const test::TemporaryFolder folder;
+    test::write_text(folder / "file", "not a folder");
+    const auto written = write_preferences({}, folder / "file/polariscope/preferences.json");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().place.file, folder / "file/polariscope");
+    EXPECT_NE(written.error().what.find("Not a directory"), std::string::npos) << written.error().what;
+}
+
 TEST(Preferences, AreTheUsualOnesWithoutAFile) {
     const test::TemporaryFolder folder;
     const auto read = read_preferences(folder / "none.json");

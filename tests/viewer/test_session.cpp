@@ -7,6 +7,7 @@
 #include "viewer/bench.h"
 #include "viewer/session.h"
 #include "viewer/view_transform.h"
+#include "viewer/viewer_files.h"
 
 namespace pol {
 namespace {
@@ -72,6 +73,36 @@ TEST(Session, KeepsTheWavelengthAndNotItsNumberWhenAnotherPictureIsShown) {
     ASSERT_TRUE(session.current()->edit(scene_at("[450, 500, 550, 600, 650]"), "wavelengths"));
     session.update();
     EXPECT_EQ(shown_nm(session), 650.0);
+}
+
+TEST(Session, ATwinIsNotEditedAndIsShownOnce) {
+    const test::TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(4, 4));
+    Session session;
+    ASSERT_TRUE(session.open(folder / "plate.yaml"));
+    ASSERT_TRUE(session.open_unpolarized_twin());
+    const Document* twin = session.current();
+    EXPECT_FALSE(twin->dirty());
+    EXPECT_FALSE(session.has_unsaved_edits());
+    session.step_document(1);
+    ASSERT_TRUE(session.open_unpolarized_twin());
+    EXPECT_EQ(session.documents().size(), 2U);
+    EXPECT_EQ(session.current(), twin);
+    EXPECT_TRUE(session.comparison());
+    // An edited twin is another scene, and so is the twin of an edited scene.
+    Scene scene = twin->scene();
+    scene.camera.horizontal_fov *= 0.5;
+    ASSERT_TRUE(session.current()->edit(std::move(scene), "fov"));
+    EXPECT_TRUE(session.has_unsaved_edits());
+    session.step_document(1);
+    ASSERT_TRUE(session.open_unpolarized_twin());
+    EXPECT_EQ(session.documents().size(), 3U);
+    session.step_document(1);
+    scene = session.current()->scene();
+    scene.render.wavelengths_nm = {550.0};
+    ASSERT_TRUE(session.current()->edit(std::move(scene), "wavelengths"));
+    ASSERT_TRUE(session.open_unpolarized_twin());
+    EXPECT_EQ(session.documents().size(), 4U);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "viewer/reading_text.h"
 #include "viewer/widgets/dial.h"
 #include "viewer/widgets/ink.h"
+#include "viewer/widgets/widget_map.h"
 
 namespace pol {
 
@@ -85,6 +86,7 @@ void draw_presets(Bench& bench, const Convention& convention) {
     tooltip("Ideal retarder: delays the field across its fast axis.");
     ImGui::SameLine();
     if (ImGui::SmallButton("analyzer")) ImGui::OpenPopup("analyzers");
+    name_widget("button analyzer");
     tooltip("Replaces the train by the analyzer of one of the six standard states.");
     if (!ImGui::BeginPopup("analyzers")) return;
     for (const StandardAnalyzer& analyzer : standard_analyzers()) {

@@ -36,7 +36,8 @@ void draw_file(Session& session, const Document& document) {
     ImGui::SameLine();
     if (button("Reload", !document.path().empty(), "Reads the file again (F5).")) session.reload();
     ImGui::SameLine();
-    if (button("Save", document.dirty(), "Writes the scene as YAML (Ctrl+Shift+S).")) action::save_scene(session);
+    const bool can_save = document.dirty() || document.path().empty();
+    if (button("Save", can_save, "Writes the scene as YAML (Ctrl+Shift+S).")) action::save_scene(session);
     if (const auto& problem = document.problem()) {
         ImGui::PushStyleColor(ImGuiCol_Text, colors(session.window.theme).error);
         ImGui::TextWrapped("%s", to_string(*problem).c_str());
