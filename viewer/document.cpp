@@ -15,6 +15,7 @@
 #include "io/output_file.h"
 #include "io/scene_file.h"
 #include "io/scene_hash.h"
+#include "io/scene_patch.h"
 #include "plan/compile.h"
 #include "scene/check.h"
 #include "verify/fact.h"
@@ -66,6 +67,23 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
     return files;
 }
 
+/// Another program has written the file since.
+bool is_other_text(const std::filesystem::path& path, const std::string& known) {
+    const auto there = read_scene_text(path);
+    return !there || there.value() != known;
+}
+
+/// Copies NAME to NAME.bak, or NAME.bak2 and so on: no backup is overwritten.
+Result<Done> keep_backup(const std::filesystem::path& path) {
+    std::error_code failed;
+    std::filesystem::path backup = path.string() + ".bak";
+    for (int number = 2; std::filesystem::exists(backup, failed); ++number)
+        backup = path.string() + ".bak" + std::to_string(number);
+    if (std::filesystem::copy_file(path, backup, failed)) return Done{};
+    return Error{
+        ErrorKind::output, "cannot be written: " + failed.message(), {backup.string()}, {}, "nothing was saved"};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path, std::function<void()> wake) {
@@ -80,8 +98,11 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
         document->show(std::make_shared<StokesImage>(std::move(picture).value()));
         return document;
     }
-    auto scene = load_scene(path);
+    auto text = read_scene_text(path);
+    if (!text) return text.error();
+    auto scene = parse_scene(text.value(), path.string(), path.parent_path());
     if (!scene) return scene.error();
+    document->source_ = Source{std::move(text).value(), scene.value(), document->path_};
     document->renderer_ = start_workers(std::move(wake));
     if (auto started = document->render(scene.value()); !started) return started.error();
     document->history_ = EditHistory(std::move(scene).value());
@@ -106,6 +127,7 @@ Result<std::unique_ptr<Document>> Document::of_fact(const verify::Fact& fact, st
     auto document = make(std::move(scene).value(), name, std::move(wake));
     if (!document) return document;
     document.value()->fact_ = ShownFact{&fact, view};
+    document.value()->source_ = Source{fact.views[view].yaml, document.value()->scene(), assets_dir() / name};
     return document;
 }
 
@@ -280,18 +302,38 @@ Result<Done> Document::redo() {
     return started;
 }
 
-Result<Done> Document::save(const std::filesystem::path& path) {
+Result<Document::Saved> Document::save(const std::filesystem::path& path, Rewrite rewrite) {
     POL_EXPECTS(has_scene());
-    std::error_code unknown_folder;
-    const std::filesystem::path file = std::filesystem::absolute(path, unknown_folder).lexically_normal();
-    if (auto written = write_file(file, save_scene(scene(), file.parent_path())); !written) return written;
-    path_ = file;
+    std::error_code unknown;
+    const std::filesystem::path target = std::filesystem::absolute(path, unknown).lexically_normal();
+    std::optional<std::string> text;
+    if (source_) text = patch_scene(source_->text, source_->scene, scene(), source_->path, target);
+    // What save_scene() wrote has nothing of the user's own.
+    const bool loses_text =
+        !text && source_ && source_->text != save_scene(source_->scene, source_->path.parent_path());
+    const bool is_own = target == path_ && std::filesystem::exists(target, unknown);
+    if (is_own && (loses_text || is_other_text(target, source_->text))) {
+        if (rewrite == Rewrite::ask) return Saved::asks;
+        if (auto kept = keep_backup(target); !kept) return kept.error();
+    }
+    if (!text) text = save_scene(scene(), target.parent_path());
+    const auto read = parse_scene(*text, target.string(), target.parent_path());
+    if (!read || scene_hash(read.value()) != scene_hash(scene()))
+        return Error{ErrorKind::output,
+                     "the scene would not be the same one when it is read there" +
+                         (read ? std::string() : ": " + read.error().what),
+                     {target.string()},
+                     {},
+                     "choose another folder: files beside it may have the names of files that the scene needs"};
+    if (auto written = write_file(target, *text); !written) return written.error();
+    source_ = Source{std::move(*text), scene(), target};
+    path_ = target;
     name_ = path_.filename().string();
     problem_.reset();
     history_.mark_saved();
     watch_ = {};
     watch_files();
-    return Done{};
+    return loses_text && !is_own ? Saved::without_comments : Saved::written;
 }
 
 Result<Done> Document::reload() {
@@ -307,13 +349,16 @@ Result<Done> Document::reload() {
         show(std::make_shared<StokesImage>(std::move(picture).value()));
         return Done{};
     }
-    auto scene = load_scene(path_);
+    auto text = read_scene_text(path_);
+    if (!text) return failed(text.error());
+    auto scene = parse_scene(text.value(), path_.string(), path_.parent_path());
     if (!scene) return failed(scene.error());
     if (scene_hash(scene.value()) != scene_hash(history_.scene())) {
         if (auto started = render(scene.value()); !started) return failed(started.error());
         history_.seal();
-        history_.push(std::move(scene).value(), "reload");
+        history_.push(scene.value(), "reload");
     }
+    source_ = Source{std::move(text).value(), std::move(scene).value(), path_};
     refused_.reset();
     history_.mark_saved();
     watch_files();

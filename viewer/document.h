@@ -115,9 +115,22 @@ public:
 
     /// The scene was edited since it was read, made or saved.
     [[nodiscard]] bool dirty() const { return has_scene() && history_.dirty(); }
-    /// Writes the scene as YAML that loads back to the same scene hash; from now on `path` is the document's file.
+    /// What becomes of text in the document's file that save() cannot keep.
+    enum class Rewrite : std::uint8_t {
+        ask,          ///< nothing is written
+        keep_backup,  ///< the old file stays as NAME.bak
+    };
+    enum class Saved : std::uint8_t {
+        written,
+        without_comments,  ///< into another file than the one that has them
+        asks,              ///< see Rewrite::ask
+    };
+    /// Writes the scene as YAML that loads back to the same scene hash; from now on `path` is the document's file. Of
+    /// the text that the scene was read from only what was edited is changed (io/scene_patch.h). Where that is not
+    /// possible the text is written anew; if that, or what another program wrote meanwhile, would be lost from the
+    /// document's own file, `rewrite` decides. Error: the file cannot be written, or would read back as another scene.
     /// Requires: has_scene().
-    Result<Done> save(const std::filesystem::path& path);
+    Result<Saved> save(const std::filesystem::path& path, Rewrite rewrite = Rewrite::ask);
     /// Reads the file again, as a step that can be undone. Error: the file is broken; the old picture stays and
     /// problem() says why. Without a file: does nothing.
     Result<Done> reload();
@@ -136,6 +149,13 @@ private:
 
     std::filesystem::path path_;
     std::string name_;
+    /// What the scene was read from, or written into last.
+    struct Source {
+        std::string text;
+        Scene scene;
+        std::filesystem::path path;
+    };
+    std::optional<Source> source_;
     EditHistory history_;
     std::optional<Refusal> refused_;
     std::optional<Error> problem_;

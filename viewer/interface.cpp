@@ -15,6 +15,7 @@
 #include "viewer/panels/help_sheet.h"
 #include "viewer/panels/menu_bar.h"
 #include "viewer/panels/problem_banner.h"
+#include "viewer/panels/rewrite_dialog.h"
 #include "viewer/panels/status_line.h"
 #include "viewer/panels/unsaved_dialog.h"
 #include "viewer/panels/view_controls.h"
@@ -144,6 +145,7 @@ void Interface::draw_sheets(Session& session) {
     open_dialog_.draw(session);
     save_as_dialog_.draw(session);
     draw_unsaved_dialog(session);
+    draw_rewrite_dialog(session);
 }
 
 void Interface::draw(Session& session, Frame& frame) {

@@ -189,9 +189,18 @@ bool Session::reload() {
     return current() != nullptr && logged(current()->reload());
 }
 
-bool Session::save(const std::filesystem::path& path) {
-    if (current() == nullptr || !current()->has_scene() || !logged(current()->save(path))) return false;
+bool Session::save(const std::filesystem::path& path, Document::Rewrite rewrite) {
+    if (current() == nullptr || !current()->has_scene()) return false;
+    const auto saved = current()->save(path, rewrite);
+    if (!saved) {
+        log.add(Severity::error, to_string(saved.error()));
+        return false;
+    }
+    window.rewrite_asked = saved.value() == Document::Saved::asks;
+    if (window.rewrite_asked) return false;
     log.add(Severity::note, "scene written: " + path.string());
+    if (saved.value() == Document::Saved::without_comments)
+        log.add(Severity::warning, "the comments of the file that the scene was read from are not in " + path.string());
     return true;
 }
 

@@ -75,7 +75,9 @@ public:
     bool undo();
     bool redo();
     bool reload();
-    bool save(const std::filesystem::path& path);
+    /// If the document's own file cannot take the edit, asks instead (WindowState::rewrite_asked), unless `rewrite` is
+    /// the answer.
+    bool save(const std::filesystem::path& path, Document::Rewrite rewrite = Document::Rewrite::ask);
     /// An edit named `label` (Document::edit); one step of undo until Document::end_edit(). Requires: a scene is shown.
     bool move_camera(const Camera& camera, const std::string& label);
     /// Edits of scenes that no file has.

@@ -29,23 +29,6 @@ Error file_error(const fs::path& path, std::string what, std::string hint) {
     return {ErrorKind::input, std::move(what), {path.string(), 0, 0}, {}, std::move(hint)};
 }
 
-Result<std::string> read_text(const fs::path& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) return file_error(path, "there is no such file", "check the path of the scene");
-    if (fs::is_directory(status)) return file_error(path, "is a directory", "name a scene file such as scene.yaml");
-    if (!fs::is_regular_file(status)) return file_error(path, "is not a regular file", "name a scene file");
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (!error && size > max_scene_bytes) {
-        return file_error(path, "is larger than 16 MiB, too large for a scene", "is this a mesh or a picture?");
-    }
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return file_error(path, "cannot be opened", "check that you may read it");
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (stream.bad()) return file_error(path, "cannot be read", "check the disk");
-    return text;
-}
-
 /// Everything that reading one scene and its includes shares.
 struct Reading {
     Scene scene;
@@ -144,7 +127,7 @@ void read_include(Reading& reading, const YamlValue& value, const AssetFolders& 
     if (std::find(reading.chain.begin(), reading.chain.end(), canonical) != reading.chain.end()) {
         value.fail("the file includes itself: " + chain_text(reading.chain, canonical), "remove this include");
     }
-    const Result<std::string> text = read_text(path);
+    const Result<std::string> text = read_scene_text(path);
     if (!text) value.fail(text.error().what, text.error().hint);
 
     const YamlFile file{path.string(), static_cast<int>(reading.scene.files.size()), &reading.places};
@@ -198,6 +181,23 @@ Scene read_scene(Reading& reading, const std::string& text, const std::string& f
 
 }  // namespace
 
+Result<std::string> read_scene_text(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) return file_error(path, "there is no such file", "check the path of the scene");
+    if (fs::is_directory(status)) return file_error(path, "is a directory", "name a scene file such as scene.yaml");
+    if (!fs::is_regular_file(status)) return file_error(path, "is not a regular file", "name a scene file");
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (!error && size > max_scene_bytes) {
+        return file_error(path, "is larger than 16 MiB, too large for a scene", "is this a mesh or a picture?");
+    }
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) return file_error(path, "cannot be opened", "check that you may read it");
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (stream.bad()) return file_error(path, "cannot be read", "check the disk");
+    return text;
+}
+
 Result<Scene> parse_scene(const std::string& text, const std::string& file_name, const fs::path& base_dir) {
     Reading reading;
     try {
@@ -212,7 +212,7 @@ Result<Scene> parse_scene(const std::string& text, const std::string& file_name,
 }
 
 Result<Scene> load_scene(const fs::path& path) {
-    const Result<std::string> text = read_text(path);
+    const Result<std::string> text = read_scene_text(path);
     if (!text) return text.error();
     return parse_scene(text.value(), path.string(), path.parent_path());
 }

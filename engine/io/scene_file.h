@@ -19,6 +19,9 @@ Result<Scene> load_scene(const std::filesystem::path& path);
 /// in the assets that ship with the program.
 Result<Scene> parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& base_dir);
 
+/// The text of a scene file, for parse_scene(). Error (kind input): there is no such file, or it is no text to read.
+Result<std::string> read_scene_text(const std::filesystem::path& path);
+
 /// YAML that loads back to the same values, bit for bit. Transforms become one matrix, includes are gone, an index
 /// record is named if reading it gives the same index, else written out.
 std::string save_scene(const Scene& scene);

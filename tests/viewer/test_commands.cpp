@@ -158,7 +158,7 @@ TEST(Keys, HaveTheNamesThatAreOnThem) {
     EXPECT_EQ(name_of({Key::f11}), "F11");
     EXPECT_EQ(name_of({Key::page_down}), "PgDn");
     EXPECT_EQ(name_of({Key::down}), "Down");
-    EXPECT_EQ(name_of({}), "");
+    EXPECT_EQ(name_of(KeyChord{}), "");
 }
 
 TEST(Keys, ATextFieldKeepsWhatItEdits) {

@@ -153,6 +153,116 @@ TEST(Document, ASavedSceneLoadsBackToTheSameHash) {
     EXPECT_FALSE(file_changed(*document));
 }
 
+std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// The plate as people write it.
+std::string commented_plate() {
+    return "# Mine.\n" + test::plate_scene(8, 8, "1.50  # like N-BK7");
+}
+
+void set_index(Document& document, double n) {
+    Scene scene = document.scene();
+    std::get<IsotropicMedium>(scene.media.at(0).matter).index = ConstantIndex{{n, 0.0}};
+    ASSERT_TRUE(document.edit(std::move(scene), "index"));
+}
+
+TEST(Document, SavingAHandWrittenSceneChangesWhatWasEditedAndNothingElse) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", commented_plate());
+    const auto document = opened(folder / "plate.yaml");
+    for (const char* n : {"1.6", "1.7"}) {
+        ASSERT_NO_FATAL_FAILURE(set_index(*document, std::atof(n)));
+        const auto saved = document->save(folder / "plate.yaml");
+        ASSERT_TRUE(saved);
+        EXPECT_EQ(saved.value(), Document::Saved::written);
+        const std::string changed = "# Mine.\n" + test::plate_scene(8, 8, std::string(n) + "  # like N-BK7");
+        EXPECT_EQ(content_of(folder / "plate.yaml"), changed);
+    }
+    // The same under another name.
+    ASSERT_NO_FATAL_FAILURE(set_index(*document, 1.8));
+    ASSERT_TRUE(document->save(folder / "other.yaml"));
+    EXPECT_EQ(content_of(folder / "other.yaml"), "# Mine.\n" + test::plate_scene(8, 8, "1.8  # like N-BK7"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "plate.yaml.bak"));
+    // What another program wrote is what is saved into from then on.
+    test::write_text(folder / "other.yaml", "# Theirs.\n" + commented_plate());
+    ASSERT_TRUE(document->reload());
+    ASSERT_NO_FATAL_FAILURE(set_index(*document, 1.9));
+    ASSERT_TRUE(document->save(folder / "other.yaml"));
+    EXPECT_EQ(content_of(folder / "other.yaml"), "# Theirs.\n# Mine.\n" + test::plate_scene(8, 8, "1.9  # like N-BK7"));
+}
+
+TEST(Document, AFileThatCannotTakeAnEditIsWrittenAnewOnlyWithABackup) {
+    const TemporaryFolder folder;
+    // The edit is of what stands before and behind a comment.
+    const std::string source =
+        "# Mine.\n" + test::plate_scene(8, 8, "\n    # like N-BK7\n    {index: [1.5, # n\n      0.0]}");
+    test::write_text(folder / "plate.yaml", source);
+    const auto document = opened(folder / "plate.yaml");
+    Scene scene = document->scene();
+    scene.media[0].matter = UniaxialMedium{ConstantIndex{{1.6, 0.0}}, ConstantIndex{{1.5, 0.0}}, {1.0, 0.0, 0.0}};
+    const std::string hash = scene_hash(scene);
+    ASSERT_TRUE(document->edit(std::move(scene), "crystal"));
+    const auto asked = document->save(folder / "plate.yaml");
+    ASSERT_TRUE(asked);
+    EXPECT_EQ(asked.value(), Document::Saved::asks);
+    EXPECT_EQ(content_of(folder / "plate.yaml"), source);
+    EXPECT_TRUE(document->dirty());
+
+    const auto saved = document->save(folder / "plate.yaml", Document::Rewrite::keep_backup);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved.value(), Document::Saved::written);
+    EXPECT_EQ(content_of(folder / "plate.yaml.bak"), source);
+    EXPECT_EQ(scene_hash(load_scene(folder / "plate.yaml").value()), hash);
+    EXPECT_FALSE(document->dirty());
+
+    // From now on there is nothing of the user's to lose.
+    ASSERT_TRUE(document->undo());
+    const auto again = document->save(folder / "plate.yaml");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again.value(), Document::Saved::written);
+    EXPECT_FALSE(std::filesystem::exists(folder / "plate.yaml.bak2"));
+}
+
+TEST(Document, WhatAnotherProgramWroteMeanwhileIsNotOverwrittenWithoutAWord) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", commented_plate());
+    const auto document = opened(folder / "plate.yaml");
+    ASSERT_NO_FATAL_FAILURE(set_index(*document, 1.6));
+    test::write_text(folder / "plate.yaml", "half a sc");  // cannot be read
+    EXPECT_FALSE(document->reload());
+    const auto asked = document->save(folder / "plate.yaml");
+    ASSERT_TRUE(asked);
+    EXPECT_EQ(asked.value(), Document::Saved::asks);
+    EXPECT_EQ(content_of(folder / "plate.yaml"), "half a sc");
+    test::write_text(folder / "plate.yaml.bak", "older");
+    ASSERT_TRUE(document->save(folder / "plate.yaml", Document::Rewrite::keep_backup));
+    EXPECT_EQ(content_of(folder / "plate.yaml.bak"), "older");
+    EXPECT_EQ(content_of(folder / "plate.yaml.bak2"), "half a sc");
+    EXPECT_EQ(content_of(folder / "plate.yaml"), "# Mine.\n" + test::plate_scene(8, 8, "1.6  # like N-BK7"));
+    EXPECT_FALSE(document->problem());
+}
+
+TEST(Document, AnotherFileOfTheSameNameIsNotTakenForTheScenesOwn) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "elsewhere");
+    const std::string card = "emission: {radiance: {texture: test-card.png}}  # ships with the program\n";
+    const std::string plate = test::plate_scene(8, 8);
+    test::write_text(folder / "plate.yaml", plate.substr(0, plate.find("emission")) + card);
+    const auto document = opened(folder / "plate.yaml");
+    ASSERT_TRUE(document->save(folder / "elsewhere/plate.yaml"));
+    EXPECT_NE(content_of(folder / "elsewhere/plate.yaml").find(card), std::string::npos);
+    test::write_text(folder / "test-card.png", "no picture");
+    const auto saved = document->save(folder / "again.yaml");
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved.value(), Document::Saved::without_comments);
+    const auto loaded = load_scene(folder / "again.yaml");
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(scene_hash(loaded.value()), scene_hash(document->scene()));
+}
+
 TEST(Document, NoticesAFileThatIsSavedInPlaceOrByRename) {
     const TemporaryFolder folder;
     test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
@@ -320,11 +430,6 @@ std::filesystem::path moved(const std::filesystem::path& project) {
     return there;
 }
 
-std::string content_of(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 TEST(Document, SavesASceneThatMovesWithItsMeshesAndTextures) {
     const test::TemporaryFolder folder;
     const std::filesystem::path project = folder / "project";
@@ -333,7 +438,7 @@ TEST(Document, SavesASceneThatMovesWithItsMeshesAndTextures) {
     const std::string hash = scene_hash(document->scene());
     ASSERT_TRUE(document->save(project / "out/saved.yaml"));
     const std::string text = content_of(project / "out/saved.yaml");
-    for (const char* name : {"\"../meshes/tip.obj\"", "\"../textures/own card.png\"", "\"test-card.png\""})
+    for (const char* name : {"\"../meshes/tip.obj\"", "\"../textures/own card.png\"", "texture: test-card.png"})
         EXPECT_NE(text.find(name), std::string::npos) << name << "\n" << text;
     const auto there = load_scene(moved(project) / "out/saved.yaml");
     ASSERT_TRUE(there) << to_string(there.error());

@@ -75,6 +75,23 @@ TEST(Session, KeepsTheWavelengthAndNotItsNumberWhenAnotherPictureIsShown) {
     EXPECT_EQ(shown_nm(session), 650.0);
 }
 
+TEST(Session, AsksBeforeAFileIsWrittenAnew) {
+    const test::WorkingFolder folder;
+    const std::string source = test::plate_scene(4, 4, "\n    # mine\n    {index: [1.5, # n\n      0.0]}");
+    test::write_text("plate.yaml", source);
+    Session session;
+    ASSERT_TRUE(session.open("plate.yaml"));
+    Scene scene = session.current()->scene();
+    scene.media[0].matter = ConductorMedium{ConstantIndex{{0.2, 3.0}}};
+    ASSERT_TRUE(session.current()->edit(std::move(scene), "metal"));
+    EXPECT_FALSE(session.save(session.current()->path()));
+    EXPECT_TRUE(session.window.rewrite_asked);
+    EXPECT_TRUE(session.window.modal());
+    EXPECT_TRUE(session.save(session.current()->path(), Document::Rewrite::keep_backup));
+    EXPECT_FALSE(session.window.rewrite_asked);
+    EXPECT_EQ(std::filesystem::file_size("plate.yaml.bak"), source.size());
+}
+
 TEST(Session, ATwinIsNotEditedAndIsShownOnce) {
     const test::TemporaryFolder folder;
     test::write_text(folder / "plate.yaml", test::plate_scene(4, 4));

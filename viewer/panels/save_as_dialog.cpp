@@ -22,7 +22,7 @@ void SaveAsDialog::save(Session& session) {
                path != to_replace_) {
         complaint_ = "This file exists. Save again to replace it.";
         to_replace_ = path;
-    } else if (session.save(path)) {
+    } else if (session.save(path) || session.window.rewrite_asked) {
         session.window.save_as_visible = false;
     } else {
         complaint_ = session.log.lines().back().text;

@@ -23,7 +23,7 @@ void give_up(WindowState& window) {
     window.close_asked = false;
 }
 
-/// Saves what is about to be lost; false if that failed, and the log says why.
+/// Saves what is about to be lost; false if that failed, and the log says why, or if it needs an answer first.
 bool save_all(Session& session) {
     if (session.window.close_asked) return action::save_scene(session);
     for (std::size_t i = 0; i < session.documents().size(); ++i) {
@@ -60,7 +60,12 @@ void draw_unsaved_dialog(Session& session) {
         if (document->dirty() && (!closing || document.get() == session.current()))
             ImGui::BulletText("%s", document->name().c_str());
     ImGui::Spacing();
-    if (button(closing ? "Save and close" : "Save and quit") && save_all(session)) proceed(session);
+    if (button(closing ? "Save and close" : "Save and quit")) {
+        if (save_all(session))
+            proceed(session);
+        else if (window.rewrite_asked)
+            give_up(window);
+    }
     ImGui::SameLine();
     if (button(closing ? "Close without saving" : "Quit without saving")) proceed(session);
     ImGui::SameLine();
