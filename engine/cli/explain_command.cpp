@@ -42,6 +42,10 @@ Result<int> wavelength_index(const Plan& plan, std::optional<double> asked_nm) {
     constexpr double same_nm = 1e-6;
     const std::size_t nearest = nearest_wavelength(plan.wavelengths_nm, asked_nm.value_or(default_wavelength_nm));
     if (!asked_nm || std::abs(plan.wavelengths_nm[nearest] - *asked_nm) <= same_nm) return static_cast<int>(nearest);
+    if (auto problem = wavelength_problem(*asked_nm)) {
+        problem->field = "--wavelength";
+        return *problem;
+    }
     return Error{ErrorKind::usage,
                  fmt::format("{} nm is not among the scene's wavelengths", *asked_nm),
                  {},

@@ -88,6 +88,8 @@ Result<std::size_t> wanted_wavelength(const StokesImage& image, std::optional<do
     const std::vector<double>& known = image.wavelengths_nm;
     const std::size_t nearest = nearest_wavelength(known, asked_nm.value_or(default_wavelength_nm));
     if (asked_nm && !(std::abs(known[nearest] - *asked_nm) <= same_nm)) {
+        if (const auto problem = wavelength_problem(*asked_nm))
+            return usage_error("--wavelength", problem->what, problem->hint);
         std::string list;
         for (const double nm : known) list += fmt::format("{}{}", list.empty() ? "" : ", ", nm);
         return usage_error("--wavelength", fmt::format("the picture has no plane at {} nm", *asked_nm),

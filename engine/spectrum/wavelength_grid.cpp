@@ -76,6 +76,14 @@ std::size_t nearest_wavelength(const std::vector<double>& wavelengths_nm, double
     return static_cast<std::size_t>(nearest - wavelengths_nm.begin());
 }
 
+std::optional<Error> wavelength_problem(double wavelength_nm) {
+    const std::string text = number_text(wavelength_nm);
+    if (!std::isfinite(wavelength_nm) || wavelength_nm <= 0.0) return usage_error(text + " is not a wavelength");
+    if (wavelength_nm >= shortest_light_nm) return std::nullopt;
+    return usage_error(text + " nm is no light: were micrometres meant?",
+                       "wavelengths are in nm: " + text + " um is " + number_text(1000.0 * wavelength_nm));
+}
+
 Result<std::vector<double>> checked_wavelengths(std::vector<double> wavelengths_nm) {
     if (wavelengths_nm.empty()) return usage_error("no wavelength given");
     if (wavelengths_nm.size() > max_wavelength_count) {
@@ -83,7 +91,7 @@ Result<std::vector<double>> checked_wavelengths(std::vector<double> wavelengths_
     }
     double previous = 0.0;
     for (const double nm : wavelengths_nm) {
-        if (!std::isfinite(nm) || nm <= 0.0) return usage_error(number_text(nm) + " is not a wavelength");
+        if (const auto problem = wavelength_problem(nm)) return *problem;
         if (nm <= previous) {
             return usage_error(number_text(nm) + " nm comes after " + number_text(previous) + " nm",
                                "list wavelengths once each, in ascending order");

@@ -72,10 +72,21 @@ TEST(WavelengthGrid, TheNearestWavelengthIsTheFirstOfTwoThatAreEquallyNear) {
     EXPECT_EQ(nearest_wavelength({450.0, 550.0}, 1e9), 1u);
 }
 
+TEST(WavelengthGrid, ANumberBelowAllLightAsksWhetherMicrometresWereMeant) {
+    for (const char* text : {"0.58", "1.55", "0.45,0.55,0.65", "0.38:0.78:0.02", "0.58,600"}) {
+        const Result<List> result = parse_wavelengths(text);
+        ASSERT_FALSE(result) << text;
+        EXPECT_NE(result.error().what.find("were micrometres meant?"), std::string::npos) << result.error().what;
+    }
+    EXPECT_EQ(parse_wavelengths("0.58").error().hint, "wavelengths are in nm: 0.58 um is 580");
+    EXPECT_FALSE(checked_wavelengths({0.58}));
+    EXPECT_TRUE(checked_wavelengths({13.5}));  // extreme ultraviolet is light
+}
+
 TEST(WavelengthGrid, HoldsAtMost4096Wavelengths) {
-    EXPECT_EQ(parse_wavelengths("1:4096:1").value().size(), 4096u);
-    EXPECT_FALSE(parse_wavelengths("1:4097:1"));
-    EXPECT_FALSE(checked_wavelengths(List(4097, 1.0)));
+    EXPECT_EQ(parse_wavelengths("101:4196:1").value().size(), 4096u);
+    EXPECT_FALSE(parse_wavelengths("101:4197:1"));
+    EXPECT_FALSE(checked_wavelengths(List(4097, 100.0)));
     EXPECT_FALSE(checked_wavelengths({}));
     EXPECT_FALSE(checked_wavelengths({500.0, std::numeric_limits<double>::quiet_NaN()}));
 }
