@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -21,6 +24,7 @@
 #include "core/units.h"
 #include "io/assets.h"
 #include "io/index_file.h"
+#include "spectrum/wavelength_grid.h"
 
 namespace pol {
 namespace {
@@ -42,29 +46,29 @@ Error usage_error(std::string field, std::string what, std::string hint = {}) {
     return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
 }
 
-/// The numbers at the start of `text` and what follows the last of them; a '+' or ',' may stand between numbers.
+/// "1.5", "1.6584,1.4864" or "0.3+2.84i", with nothing beside.
 struct Numbers {
     std::vector<double> values;
-    std::string rest;
+    bool is_complex = false;
 };
 
-std::optional<Numbers> numbers_in(const std::string& text) {
+/// Empty unless all of `text` is that: infrasil.yml and 4H-SiC begin like numbers, too.
+std::optional<Numbers> numbers_in(std::string_view text) {
     Numbers found;
-    const char* at = text.c_str();
+    found.is_complex = text.ends_with('i');
+    if (found.is_complex) text.remove_suffix(1);
+    const char separator = found.is_complex ? '+' : ',';
     for (;;) {
-        char* end = nullptr;
-        const double value = std::strtod(at, &end);
-        if (end == at) return std::nullopt;
+        text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+        double value = 0.0;
+        const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (status != std::errc{}) return std::nullopt;
         found.values.push_back(value);
-        at = end;
-        if (*at == ',') {
-            ++at;
-        } else if (*at != '+') {
-            break;
-        }
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        if (text.empty()) return found;
+        if (text.front() != separator) return std::nullopt;
+        text.remove_prefix(1);
     }
-    found.rest = at;
-    return found;
 }
 
 Result<DVec3> direction(const std::vector<double>& axis, const std::string& option) {
@@ -76,10 +80,10 @@ Result<DVec3> direction(const std::vector<double>& axis, const std::string& opti
     return unit(v);
 }
 
-Result<ComplexIndex> recorded_index(const std::string& name, double wavelength_nm) {
-    const Result<RefractiveIndex> record = load_index(name, assets_dir());
-    if (!record) return record.error();
-    return index_at(record.value(), wavelength_nm);
+/// What is wrong with a record that an option names, at the option unless it is in a file.
+Error in_option(Error error, const std::string& option) {
+    if (error.place.file.empty()) error.field = option;
+    return error;
 }
 
 /// Extinction from which a record counts as a metal here: its field dies within a few wavelengths.
@@ -98,30 +102,35 @@ Result<Dielectric<double>> medium(const std::string& text, const std::vector<dou
                                   const std::string& option, const std::string& axis_option) {
     const auto in_range = [](double n) { return n > 0.0 && n <= 1000.0; };
     if (text == "air" || text == "vacuum") return make_isotropic(1.0);
-    if (const auto numbers = numbers_in(text)) {
-        const std::vector<double>& v = numbers->values;
-        const bool conductor = v.size() == 2 && numbers->rest == "i" && in_range(v[0]) && v[1] >= 0.0 && v[1] <= 1000.0;
-        if (conductor) return make_conductor(v[0], v[1]);
-        if (numbers->rest.empty() && v.size() == 1 && in_range(v[0])) return make_isotropic(v[0]);
-        if (numbers->rest.empty() && v.size() == 2 && in_range(v[0]) && in_range(v[1])) {
-            return crystal(v[0], v[1], axis, axis_option);
-        }
+    const bool looks_like_numbers = text.find_first_not_of("0123456789.,+-eEi ") == std::string::npos;
+    if (const auto numbers = numbers_in(text); numbers || looks_like_numbers) {
+        const std::vector<double> v = numbers ? numbers->values : std::vector<double>{};
+        const bool two = v.size() == 2 && in_range(v[0]);
+        if (two && numbers->is_complex && v[1] >= 0.0 && v[1] <= 1000.0) return make_conductor(v[0], v[1]);
+        if (two && !numbers->is_complex && in_range(v[1])) return crystal(v[0], v[1], axis, axis_option);
+        if (v.size() == 1 && !numbers->is_complex && in_range(v[0])) return make_isotropic(v[0]);
         return usage_error(option, fmt::format("'{}' is no medium", text),
                            "an index 1.5, a crystal n_o,n_e, a metal n+ki, or the name of an index record");
     }
-    std::error_code failed;
-    const fs::path records = assets_dir() / "refractive_index";
-    const bool two_indices =
-        fs::exists(records / (text + "-o.yml"), failed) && fs::exists(records / (text + "-e.yml"), failed);
-    if (two_indices) {
-        const Result<ComplexIndex> n_o = recorded_index(text + "-o", wavelength_nm);
+    if (is_crystal(text, assets_dir())) {
+        const Result<CrystalIndices> records = load_crystal(text, assets_dir());
+        if (!records) return in_option(records.error(), option);
+        const Result<ComplexIndex> n_o = index_at(records.value().ordinary, wavelength_nm);
         if (!n_o) return n_o.error();
-        const Result<ComplexIndex> n_e = recorded_index(text + "-e", wavelength_nm);
+        const Result<ComplexIndex> n_e = index_at(records.value().extraordinary, wavelength_nm);
         if (!n_e) return n_e.error();
+        if (std::max(n_o.value().k, n_e.value().k) >= metal_extinction)
+            return usage_error(option, fmt::format("'{}' absorbs too much for a crystal here", text),
+                               fmt::format("extinction below {} is left out, more is not solved", metal_extinction));
         return crystal(n_o.value().n, n_e.value().n, axis, axis_option);
     }
-    const Result<ComplexIndex> n = recorded_index(text, wavelength_nm);
+    const Result<RefractiveIndex> record = load_index(text, assets_dir());
+    if (!record) return in_option(record.error(), option);
+    const Result<ComplexIndex> n = index_at(record.value(), wavelength_nm);
     if (!n) return n.error();
+    if (extinction_is_unknown(record.value(), wavelength_nm))
+        remark(
+            fmt::format("polariscope: k of '{}' is not known at {} nm: 0 is used\n", printable(text), wavelength_nm));
     if (n.value().k >= metal_extinction) return make_conductor(n.value().n, n.value().k);
     return make_isotropic(n.value().n);
 }
@@ -192,10 +201,8 @@ Result<Done> run_table(const Request& request) {
         return usage_error("--angle", fmt::format("{} is not from 0 to below 90 degrees", request.angle_deg),
                            "for example 30");
     }
-    if (!(request.wavelength_nm > 0.0 && std::isfinite(request.wavelength_nm))) {
-        return usage_error("--wavelength", fmt::format("{} is no wavelength in nm", request.wavelength_nm),
-                           "for example 589.3");
-    }
+    if (const auto problem = wavelength_problem(request.wavelength_nm))
+        return usage_error("--wavelength", problem->what, problem->hint);
     const auto from = medium(request.from, request.from_axis, request.wavelength_nm, "--from", "--from-axis");
     if (!from) return from.error();
     if (from.value().kind == MediumKind::conductor)
@@ -247,7 +254,9 @@ Result<Done> run_cases(const std::string& path) {
 
 constexpr const char* footer =
     "Media: air; an index (1.5); a crystal n_o,n_e (1.6584,1.4864); a metal n+ki (0.3+2.84i); a record of\n"
-    "assets/refractive_index (n-bk7, gold) or a path to one; calcite means the records calcite-o and calcite-e.\n"
+    "assets/refractive_index (n-bk7, gold) or a path to one; calcite means the records calcite-o and calcite-e, ./spar "
+    "the\n"
+    "files ./spar-o.yml and ./spar-e.yml.\n"
     "Records with an extinction from 0.01 on count as metals, below it extinction is left out.\n"
     "Frame: the normal is z, from the first medium to the second; the wave normal lies in the xz plane.\n"
     "Waves: s and p (s along y), o and e in crystals. Powers are shares of the incident energy flux, phases are in\n"

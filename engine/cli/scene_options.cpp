@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "cli/report.h"
 #include "io/scene_file.h"
 #include "plan/compile.h"
 #include "scene/check.h"
@@ -116,6 +117,7 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
     if (options.unpolarized) settings.unpolarized = true;
     // New wavelengths may lie outside an index record.
     if (auto problem = first_problem(scene)) return *problem;
+    for (const std::string& unknown : unknown_extinctions(scene)) remark("polariscope: " + printable(unknown) + "\n");
     return scene;
 }
 

@@ -4,9 +4,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -22,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t max_file_bytes = 16u << 20u;
-constexpr std::size_t max_coefficients = 64;
 
 /// Thrown by the parser below and caught in load_index.
 struct Complaint {
@@ -38,8 +39,9 @@ struct Word {
 
 class RecordReader {
 public:
-    RecordReader(std::string file, std::string_view text, std::string name)
-        : file_(std::move(file)), text_(text), name_(std::move(name)) {}
+    RecordReader(std::string file, std::string_view text, std::string name) : file_(std::move(file)), text_(text) {
+        index_.name = std::move(name);
+    }
 
     DispersiveIndex read() {
         const YAML::Node root = YAML::Load(std::string(text_));
@@ -51,8 +53,12 @@ public:
                  "write '- type: formula 2' or '- type: tabulated nk' with its values below");
         }
         for (std::size_t i = 0; i < data.size(); ++i) read_entry(data[i], "DATA[" + std::to_string(i) + "]");
-        if (!n_) fail(data.Mark(), "DATA", "no entry gives n", "add a formula, 'tabulated n' or 'tabulated nk'");
-        return {name_, std::move(*n_), k_.value_or(IndexTable{})};
+        if (!has_n_) {
+            fail(data.Mark(), "DATA",
+                 std::string("has no refractive index n: it gives only ") + (index_.k.value.empty() ? "n2" : "k"),
+                 "n comes from a formula, 'tabulated n' or 'tabulated nk'");
+        }
+        return std::move(index_);
     }
 
 private:
@@ -72,32 +78,35 @@ private:
         const std::string& kind = type.Scalar();
         constexpr std::string_view formula = "formula ";
         if (kind.size() == formula.size() + 1 && kind.starts_with(formula) && kind.back() >= '1' &&
-            kind.back() <= '6') {
-            set_n(type, field, read_formula(entry, field, kind.back() - '0'));
+            kind.back() <= '0' + last_formula) {
+            add_n(read_formula(entry, field, kind.back() - '0'));
         } else if (kind == "tabulated n") {
-            set_n(type, field, read_columns(entry, field, 1)[0]);
+            add_n(read_columns(entry, field, 1)[0]);
         } else if (kind == "tabulated k") {
-            set_k(type, field, read_columns(entry, field, 1)[0]);
+            add_k(read_columns(entry, field, 1)[0]);
         } else if (kind == "tabulated nk") {
             std::vector<IndexTable> columns = read_columns(entry, field, 2);
-            set_n(type, field, std::move(columns[0]));
-            set_k(type, field, std::move(columns[1]));
-        } else {
+            add_n(std::move(columns[0]));
+            add_k(std::move(columns[1]));
+        } else if (kind != "tabulated n2") {  // the nonlinear index is no part of n
             fail(type.Mark(), field + ".type", "unknown type '" + kind.substr(0, 40) + "'",
-                 "known are 'formula 1' to 'formula 6', 'tabulated n', 'tabulated k' and 'tabulated nk'");
+                 "known are 'formula 1' to 'formula " + std::to_string(last_formula) +
+                     "', 'tabulated n', 'tabulated k' and 'tabulated nk'");
         }
     }
 
-    void set_n(const YAML::Node& type, const std::string& field, std::variant<DispersionFormula, IndexTable> n) {
-        if (n_) fail(type.Mark(), field + ".type", "a second entry gives n", "keep one of them");
-        n_ = std::move(n);
+    void add_n(IndexBlock n) {
+        if (has_n_)
+            index_.more_n.push_back(std::move(n));
+        else
+            index_.n = std::move(n);
+        has_n_ = true;
     }
-    void set_k(const YAML::Node& type, const std::string& field, IndexTable k) {
-        if (k_) fail(type.Mark(), field + ".type", "a second entry gives k", "keep one of them");
-        for (const double value : k.value) {
-            if (value < 0.0) fail(type.Mark(), field + ".data", "k is negative", "absorption is positive k");
-        }
-        k_ = std::move(k);
+    void add_k(IndexTable k) {
+        if (index_.k.value.empty())
+            index_.k = std::move(k);
+        else
+            index_.more_k.push_back(std::move(k));
     }
 
     YAML::Node scalar(const YAML::Node& entry, const std::string& field, const std::string& key) const {
@@ -125,14 +134,9 @@ private:
         DispersionFormula formula{number, {}, min_nm, max_nm};
         for (const Word& word : words(list)) formula.coefficients.push_back(number_of(word, list_field));
         const std::size_t count = formula.coefficients.size();
-        if (count % 2 == 0 || count > max_coefficients) {
+        if (const std::string form = coefficient_problem(number, count); !form.empty()) {
             fail(list.Mark(), list_field, std::to_string(count) + " coefficients",
-                 "a formula has a constant and then pairs: an odd number, at most " +
-                     std::to_string(max_coefficients - 1));
-        }
-        if (number == 4 && (count == 3 || count == 7)) {
-            fail(list.Mark(), list_field, std::to_string(count) + " coefficients",
-                 "formula 4 has a constant, then up to two groups of four, then pairs");
+                 "formula " + std::to_string(number) + " has " + form);
         }
         return formula;
     }
@@ -141,7 +145,7 @@ private:
     std::vector<IndexTable> read_columns(const YAML::Node& entry, const std::string& field, std::size_t count) const {
         const YAML::Node data = scalar(entry, field, "data");
         const std::string data_field = field + ".data";
-        std::vector<IndexTable> tables(count);
+        std::vector<std::vector<std::pair<double, double>>> columns(count);
         const std::vector<Word> all = words(data);
         for (std::size_t i = 0; i < all.size();) {
             const Word& first = all[i];
@@ -152,19 +156,12 @@ private:
                      "a row has a wavelength in um and " + std::string(count == 1 ? "one value" : "n and k"));
             }
             const double nm = wavelength_nm(first, data_field);
-            for (std::size_t c = 0; c < count; ++c) {
-                IndexTable& table = tables[c];
-                if (!table.wavelength_nm.empty() && nm <= table.wavelength_nm.back()) {
-                    fail(first, data_field, "wavelengths do not ascend", "sort the rows by wavelength, each once");
-                }
-                table.wavelength_nm.push_back(nm);
-                table.value.push_back(number_of(all[i + 1 + c], data_field));
-            }
+            for (std::size_t c = 0; c < count; ++c) columns[c].emplace_back(nm, number_of(all[i + 1 + c], data_field));
             i = end;
         }
-        if (tables[0].wavelength_nm.size() < 2) {
-            fail(data.Mark(), data_field, "fewer than two rows", "a table needs two rows to interpolate between");
-        }
+        if (columns[0].empty()) fail(data.Mark(), data_field, "no rows", "a row has a wavelength in um and its values");
+        std::vector<IndexTable> tables;
+        for (auto& rows : columns) tables.push_back(index_table(std::move(rows)));
         return tables;
     }
 
@@ -233,19 +230,46 @@ private:
 
     std::string file_;
     std::string_view text_;
-    std::string name_;
-    std::optional<std::variant<DispersionFormula, IndexTable>> n_;
-    std::optional<IndexTable> k_;
+    DispersiveIndex index_;
+    bool has_n_ = false;
 };
 
-Error unknown_record(const std::string& name, const fs::path& folder) {
+constexpr std::array<const char*, 2> uniaxial{"-o", "-e"};
+constexpr std::array<const char*, 3> biaxial{"-alpha", "-beta", "-gamma"};
+
+bool is_path(const std::string& name) {
+    return name.find('/') != std::string::npos || is_one_record(name);
+}
+
+/// The suffixes for which NAME + suffix + ".yml" is there: "ktp-alpha, ktp-beta, ktp-gamma". Empty: none is.
+std::string records_of(const std::string& name, const fs::path& folder, std::span<const char* const> suffixes) {
+    std::string found;
+    for (const char* suffix : suffixes) {
+        std::error_code failed;
+        const fs::path path = (is_path(name) ? fs::path(name) : folder / name).string() + suffix + ".yml";
+        if (fs::exists(path, failed))
+            found += (found.empty() ? "" : ", ") + fs::path(name).filename().string() + suffix;
+    }
+    return found;
+}
+
+Error input_error(std::string what, std::string hint) {
+    return {ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
+}
+
+/// `suffix` is what the names that can be meant end in; it is left out of the hint.
+Error unknown_record(const std::string& name, const fs::path& folder, const std::string& suffix) {
     std::vector<std::string> names;
     std::error_code failed;
     for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
-        if (it->path().extension() == ".yml") names.push_back(it->path().stem().string());
+        const std::string stem = it->path().stem().string();
+        if (it->path().extension() == ".yml" && stem.ends_with(suffix))
+            names.push_back(stem.substr(0, stem.size() - suffix.size()));
     }
     std::sort(names.begin(), names.end());
-    std::string hint = "give the path of a refractiveindex.info file, or one of: ";
+    std::string hint = suffix.empty() ? "give the path of a refractiveindex.info file, or one of: "
+                                      : "give the path of a pair of refractiveindex.info files (./" +
+                                            name.substr(0, 80) + "), or one of: ";
     if (const auto nearest = nearest_word(name, std::vector<std::string_view>(names.begin(), names.end()))) {
         hint = "did you mean '";
         hint += *nearest;
@@ -253,22 +277,58 @@ Error unknown_record(const std::string& name, const fs::path& folder) {
     } else {
         for (std::size_t i = 0; i < names.size(); ++i) hint += (i == 0 ? "" : ", ") + names[i];
     }
-    std::string what = "there is no index record '";
-    what += name.substr(0, 80);
-    what += "'";
-    return {ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
+    return input_error(
+        "there is no " + std::string(suffix.empty() ? "index record" : "crystal") + " '" + name.substr(0, 80) + "'",
+        std::move(hint));
 }
 
 }  // namespace
 
-Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::path& assets_dir) {
-    const fs::path given(name_or_path);
-    const bool is_path =
-        name_or_path.find('/') != std::string::npos || given.extension() == ".yml" || given.extension() == ".yaml";
+bool is_one_record(const std::string& name) {
+    return name.ends_with(".yml") || name.ends_with(".yaml");
+}
+
+bool is_crystal(const std::string& name, const fs::path& assets_dir) {
     const fs::path folder = assets_dir / "refractive_index";
-    const fs::path path = is_path ? given : folder / (name_or_path + ".yml");
+    return !records_of(name, folder, uniaxial).empty() || !records_of(name, folder, biaxial).empty();
+}
+
+Result<CrystalIndices> load_crystal(const std::string& name, const fs::path& assets_dir) {
+    const fs::path folder = assets_dir / "refractive_index";
+    if (is_one_record(name)) {
+        return input_error("'" + name + "' is one file, and a crystal has two indices",
+                           "NAME stands for the files NAME-o.yml and NAME-e.yml: write the path without its end, or "
+                           "'ordinary:' and 'extraordinary:'");
+    }
+    if (records_of(name, folder, uniaxial).empty()) {
+        if (const std::string found = records_of(name, folder, biaxial); !found.empty()) {
+            return input_error("'" + name + "' is biaxial (it has " + found + "); biaxial crystals are not supported",
+                               "uniaxial crystals have two records, NAME-o and NAME-e");
+        }
+        if (!is_path(name)) return unknown_record(name, folder, uniaxial[0]);
+    }
+    const std::string suffix = is_path(name) ? ".yml" : "";
+    Result<RefractiveIndex> ordinary = load_index(name + uniaxial[0] + suffix, assets_dir);
+    if (!ordinary) return ordinary.error();
+    Result<RefractiveIndex> extraordinary = load_index(name + uniaxial[1] + suffix, assets_dir);
+    if (!extraordinary) return extraordinary.error();
+    return CrystalIndices{std::move(ordinary).value(), std::move(extraordinary).value()};
+}
+
+Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::path& assets_dir) {
+    const fs::path folder = assets_dir / "refractive_index";
+    const fs::path path = is_path(name_or_path) ? fs::path(name_or_path) : folder / (name_or_path + ".yml");
     std::error_code failed;
-    if (!is_path && !fs::exists(path, failed)) return unknown_record(name_or_path, folder);
+    if (!fs::exists(path, failed)) {
+        const std::string pair = records_of(name_or_path, folder, uniaxial);
+        const std::string three = records_of(name_or_path, folder, biaxial);
+        if (!pair.empty() || !three.empty()) {
+            return input_error("'" + name_or_path + "' is a crystal, not one index (it has " + pair + three + ")",
+                               pair.empty() ? "biaxial crystals are not supported; each of these is an index"
+                                            : "write {crystal: " + name_or_path + "}");
+        }
+        if (!is_path(name_or_path)) return unknown_record(name_or_path, folder, "");
+    }
 
     const Result<std::string> text = read_input_file(path, max_file_bytes);
     if (!text) return text.error();

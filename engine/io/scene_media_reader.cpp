@@ -1,68 +1,87 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spectra, refractive indices and media of a scene file.
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/number_text.h"
 #include "io/index_file.h"
 #include "io/scene_reader.h"
+#include "spectrum/wavelength_grid.h"
 
 namespace pol {
 namespace {
 
-/// [[nm, value], ...], not empty.
-std::pair<std::vector<double>, std::vector<double>> read_table(const YamlValue& value) {
-    std::pair<std::vector<double>, std::vector<double>> columns;
+/// Numbers that are all far below any light are micrometres.
+void ask_for_nanometres(const YamlValue& value, double longest_nm) {
+    if (longest_nm >= shortest_light_nm) return;
+    value.fail("the wavelengths end at " + number_text(longest_nm) + " nm, which is no light: were micrometres meant?",
+               "here wavelengths are in nm: 0.58 um is 580");
+}
+
+/// [[nm, value], ...] in any order, not empty; rows that contradict each other are kept.
+IndexTable read_table(const YamlValue& value) {
+    std::vector<std::pair<double, double>> rows;
     for (const YamlValue& row : value.list()) {
         const DVec2 pair = row.vec2();
-        columns.first.push_back(pair.x);
-        columns.second.push_back(pair.y);
+        rows.emplace_back(pair.x, pair.y);
     }
-    if (columns.first.empty()) value.fail("the table is empty", "write [[400, 1.53], [700, 1.51]]");
-    for (std::size_t i = 1; i < columns.first.size(); ++i) {
-        if (columns.first[i] > columns.first[i - 1]) continue;
-        value.fail("wavelengths must ascend: row " + std::to_string(i + 1) + " does not",
-                   "sort the rows and leave out repeated ones");
-    }
-    return columns;
+    if (rows.empty()) value.fail("the table is empty", "write [[400, 1.53], [700, 1.51]]");
+    IndexTable table = index_table(std::move(rows));
+    ask_for_nanometres(value, table.wavelength_nm.back());
+    return table;
 }
 
-IndexTable read_index_table(const YamlValue& value) {
-    auto [wavelength_nm, values] = read_table(value);
-    return {std::move(wavelength_nm), std::move(values)};
-}
-
-/// Coefficients that formula 1 to 6 may have: formula 4 takes up to 17, the others any odd number (one constant, then
-/// pairs).
 DispersionFormula read_formula(const YamlMap& map) {
     DispersionFormula formula;
     formula.number = map.at("formula").whole();
-    if (formula.number < 1 || formula.number > 6) {
-        map.at("formula").fail("there is no such dispersion formula", "1 to 6, as refractiveindex.info numbers them");
+    if (formula.number < 1 || formula.number > last_formula) {
+        map.at("formula").fail("there is no such dispersion formula",
+                               "1 to " + std::to_string(last_formula) + ", as refractiveindex.info numbers them");
     }
     formula.coefficients = map.at("coefficients").numbers();
     const std::size_t count = formula.coefficients.size();
-    const bool fits = formula.number == 4 ? count >= 1 && count <= 17 : count % 2 == 1;
-    if (!fits) {
+    if (const std::string form = coefficient_problem(formula.number, count); !form.empty()) {
         map.at("coefficients")
             .fail(
                 "formula " + std::to_string(formula.number) + " cannot have " + std::to_string(count) + " coefficients",
-                "one constant, then pairs");
+                form);
     }
     const DVec2 range = map.at("range").vec2();
     if (!(range.x > 0.0 && range.x < range.y)) map.at("range").fail("is not a range", "write [400, 700], in nm");
+    ask_for_nanometres(map.at("range"), range.y);
     formula.min_nm = range.x;
     formula.max_nm = range.y;
     return formula;
 }
 
-RefractiveIndex read_record(const YamlValue& value, const std::string& name, const AssetFolders& folders) {
-    std::string source = name;
-    const bool is_path = name.find('/') != std::string::npos || name.ends_with(".yml") || name.ends_with(".yaml");
-    if (is_path) source = find_asset(value, folders, "refractive_index").string();
+IndexBlock read_block(const YamlMap& map) {
+    if (!map.has("formula")) return read_table(map.at("table"));
+    if (map.has("table")) map.at("table").fail("the index has a formula already", "keep one of the two");
+    return read_formula(map);
+}
+
+RefractiveIndex read_record(const YamlValue& value, const AssetFolders& folders) {
+    std::string source = value.text();
+    if (source.find('/') != std::string::npos || is_one_record(source))
+        source = find_asset(value, folders, "refractive_index").string();
     Result<RefractiveIndex> index = load_index(source, folders.assets);
     if (index) return std::move(index).value();
     fail_because_of(value, index.error());
+}
+
+CrystalIndices read_crystal(const YamlValue& value, const AssetFolders& folders) {
+    std::string source = value.text();
+    if (source.find('/') != std::string::npos && !is_one_record(source)) {
+        source = find_asset(value, folders, "refractive_index",
+                            {"-o.yml", "-e.yml", "-alpha.yml", "-beta.yml", "-gamma.yml"})
+                     .string();
+    }
+    Result<CrystalIndices> indices = load_crystal(source, folders.assets);
+    if (indices) return std::move(indices).value();
+    fail_because_of(value, indices.error());
 }
 
 Spectrum optional_spectrum(const YamlMap& map, const char* key) {
@@ -73,10 +92,9 @@ Spectrum optional_spectrum(const YamlMap& map, const char* key) {
 UniaxialMedium read_uniaxial(const YamlMap& map, const AssetFolders& folders) {
     UniaxialMedium medium;
     if (map.has("crystal")) {
-        const YamlValue crystal = map.at("crystal");
-        const std::string name = crystal.text();
-        medium.ordinary = read_record(crystal, name + "-o", folders);
-        medium.extraordinary = read_record(crystal, name + "-e", folders);
+        CrystalIndices indices = read_crystal(map.at("crystal"), folders);
+        medium.ordinary = std::move(indices.ordinary);
+        medium.extraordinary = std::move(indices.extraordinary);
     } else {
         medium.ordinary = read_index(map.at("ordinary"), folders);
         medium.extraordinary = read_index(map.at("extraordinary"), folders);
@@ -96,8 +114,11 @@ Spectrum read_spectrum(const YamlValue& value) {
     if (!value.is_map()) return ConstantSpectrum{value.number()};
     const auto [kind, content] = value.tagged({"d65", "table"});
     if (kind == "d65") return D65Spectrum{content.number()};
-    auto [wavelength_nm, values] = read_table(content);
-    return TabulatedSpectrum{std::move(wavelength_nm), std::move(values)};
+    IndexTable table = read_table(content);
+    const auto twice = std::adjacent_find(table.wavelength_nm.begin(), table.wavelength_nm.end());
+    if (twice != table.wavelength_nm.end())
+        content.fail("two values at " + number_text(*twice) + " nm", "only one can be right");
+    return TabulatedSpectrum{std::move(table.wavelength_nm), std::move(table.value)};
 }
 
 RefractiveIndex read_index(const YamlValue& value, const AssetFolders& folders) {
@@ -106,19 +127,23 @@ RefractiveIndex read_index(const YamlValue& value, const AssetFolders& folders) 
         return ConstantIndex{{pair.x, pair.y}};
     }
     if (value.is_map()) {
-        const YamlMap map = value.map({"name", "formula", "coefficients", "range", "table", "k"});
+        const YamlMap map = value.map({"name", "formula", "coefficients", "range", "table", "k", "more"});
         DispersiveIndex index;
         index.name = map.has("name") ? map.at("name").text() : value.path();
-        if (map.has("formula")) {
-            if (map.has("table")) map.at("table").fail("the index has a formula already", "keep one of the two");
-            index.n = read_formula(map);
-        } else {
-            index.n = read_index_table(map.at("table"));
+        index.n = read_block(map);
+        if (map.has("k")) index.k = read_table(map.at("k"));
+        if (const auto more = map.find("more")) {
+            for (const YamlValue& block : more->list()) {
+                const YamlMap part = block.map({"formula", "coefficients", "range", "table", "k"});
+                if (part.has("k"))
+                    index.more_k.push_back(read_table(block.map({"k"}).at("k")));
+                else
+                    index.more_n.push_back(read_block(part));
+            }
         }
-        if (map.has("k")) index.k = read_index_table(map.at("k"));
         return index;
     }
-    if (value.is_scalar() && !value.looks_like_number()) return read_record(value, value.text(), folders);
+    if (value.is_scalar() && !value.looks_like_number()) return read_record(value, folders);
     return ConstantIndex{{value.number(), 0.0}};
 }
 

@@ -185,19 +185,22 @@ ExtrusionShape read_extrusion(const YamlValue& value) {
 
 }  // namespace
 
-std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& folders, const std::string& kind) {
+std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& folders, const std::string& kind,
+                                 std::initializer_list<const char*> ends) {
     const std::filesystem::path name = value.text();
     for (const auto& folder : {folders.scene, folders.assets / kind, folders.assets}) {
         std::error_code error;
         const std::filesystem::path path = std::filesystem::absolute(folder / name, error);
-        if (!error && std::filesystem::is_regular_file(path, error)) {
+        const std::filesystem::path plain = path.lexically_normal();
+        for (const char* end : ends) {
+            std::error_code failed;
+            if (error || !std::filesystem::is_regular_file(path.string() + end, failed)) continue;
             // Behind a link to a folder, ".." is not the part before it.
-            const std::filesystem::path plain = path.lexically_normal();
-            return std::filesystem::equivalent(path, plain, error) ? plain : path;
+            return std::filesystem::equivalent(path.string() + end, plain.string() + end, failed) ? plain : path;
         }
         if (name.is_absolute()) break;
     }
-    value.fail("there is no file '" + name.string() + "'",
+    value.fail("there is no file '" + name.string() + *ends.begin() + "'",
                "looked beside the scene file, then in assets/" + kind + " and assets");
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 
 #include "io/yaml_value.h"
@@ -17,8 +18,10 @@ struct AssetFolders {
     std::filesystem::path assets;  ///< of the program
 };
 
-/// Absolute path of the file that `value` names: beside the scene, in assets/`kind`, or in assets.
-std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& folders, const std::string& kind);
+/// Absolute path of the file that `value` names: beside the scene, in assets/`kind`, or in assets. With `ends`, the
+/// value is what files are called before one of these; so is the path.
+std::filesystem::path find_asset(const YamlValue& value, const AssetFolders& folders, const std::string& kind,
+                                 std::initializer_list<const char*> ends = {""});
 
 /// Passes on what is wrong with a file that `value` names: at the line in that file if it has lines, else at `value`.
 [[noreturn]] void fail_because_of(const YamlValue& value, Error error);

@@ -82,6 +82,22 @@ std::string spectrum_text(const Spectrum& spectrum) {
         spectrum);
 }
 
+std::string block_text(const IndexBlock& block) {
+    return std::visit(Overloaded{
+                          [](const DispersionFormula& f) {
+                              return "formula: " + std::to_string(f.number) +
+                                     ", coefficients: " + list_text(f.coefficients) +
+                                     ", range: " + vec_text(DVec2(f.min_nm, f.max_nm));
+                          },
+                          [](const IndexTable& t) { return "table: " + table_text(t.wavelength_nm, t.value); },
+                      },
+                      block);
+}
+
+std::string extinction_text(const IndexTable& k) {
+    return "k: " + table_text(k.wavelength_nm, k.value);
+}
+
 std::string index_text(const RefractiveIndex& index) {
     if (const auto* constant = std::get_if<ConstantIndex>(&index)) {
         return vec_text(DVec2(constant->value.n, constant->value.k));
@@ -93,14 +109,12 @@ std::string index_text(const RefractiveIndex& index) {
     }
     std::string text = "{";
     if (!dispersive.name.empty()) text += "name: " + quoted(dispersive.name) + ", ";
-    if (const auto* formula = std::get_if<DispersionFormula>(&dispersive.n)) {
-        text += "formula: " + std::to_string(formula->number) + ", coefficients: " + list_text(formula->coefficients) +
-                ", range: " + vec_text(DVec2(formula->min_nm, formula->max_nm));
-    } else {
-        const auto& table = std::get<IndexTable>(dispersive.n);
-        text += "table: " + table_text(table.wavelength_nm, table.value);
-    }
-    if (!dispersive.k.value.empty()) text += ", k: " + table_text(dispersive.k.wavelength_nm, dispersive.k.value);
+    text += block_text(dispersive.n);
+    if (!dispersive.k.value.empty()) text += ", " + extinction_text(dispersive.k);
+    std::vector<std::string> more;
+    for (const IndexBlock& n : dispersive.more_n) more.push_back("{" + block_text(n) + "}");
+    for (const IndexTable& k : dispersive.more_k) more.push_back("{" + extinction_text(k) + "}");
+    if (!more.empty()) text += ", more: " + list_text(more);
     return text + "}";
 }
 

@@ -5,6 +5,8 @@
 #include <functional>
 #include <set>
 
+#include "scene/check.h"
+
 namespace pol {
 
 namespace {
@@ -75,6 +77,11 @@ void account_for_matter(const Plan& plan, Account& account) {
     account.add("polarizers and retarders", surfaces_with<SheetRole>(plan), "", "no sheets");
 }
 
+void account_for_extinction(const Scene& scene, Account& account) {
+    account.add("extinction taken as 0", unknown_extinctions(scene), "",
+                "every record that has k has it at all wavelengths");
+}
+
 void account_for_geometry(const Plan& plan, Account& account) {
     std::vector<std::string> half_spaces;
     std::vector<std::string> spheres;
@@ -132,6 +139,7 @@ void account_for_light(const Scene& scene, const Plan& plan, Account& account) {
 Features list_features(const Scene& scene, const Plan& plan) {
     Account account;
     account_for_matter(plan, account);
+    account_for_extinction(scene, account);
     account_for_geometry(plan, account);
     account_for_light(scene, plan, account);
     Features features;

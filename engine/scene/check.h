@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/result.h"
 #include "scene/scene.h"
@@ -23,5 +25,9 @@ inline constexpr double max_length = 1e15;
 /// The error has kind input, a field path as in the scene file ("objects[2].medium", "media.glass.index"), a hint, and
 /// the place of the object or medium if it came from a file.
 std::optional<Error> first_problem(const Scene& scene);
+
+/// One sentence for each medium in use whose record has an extinction k, but not at all wavelengths of `scene.render`:
+/// there k counts as 0. Requires: the scene has no problem.
+std::vector<std::string> unknown_extinctions(const Scene& scene);
 
 }  // namespace pol

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "core/nearest_word.h"
+#include "core/number_text.h"
 #include "core/overloaded.h"
 #include "scene/check_rules.h"
 #include "spectrum/refractive_index.h"
@@ -23,7 +25,11 @@ void check_value(SceneCheck& check, const ComplexIndex& index, const std::string
                   "n + i k with k >= 0 absorbs");
 }
 
-void check_index(SceneCheck& check, const RefractiveIndex& index, bool in_use, const std::string& field) {
+/// A metal is nothing without its k; in other matter a k that is not known counts as 0 (unknown_extinctions).
+enum class Extinction { needed, welcome };
+
+void check_index(SceneCheck& check, const RefractiveIndex& index, bool in_use, const std::string& field,
+                 Extinction extinction = Extinction::welcome) {
     if (const auto* constant = std::get_if<ConstantIndex>(&index)) check_value(check, constant->value, field);
     if (!in_use) return;
     for (const double nm : check.scene().render.wavelengths_nm) {
@@ -33,6 +39,9 @@ void check_index(SceneCheck& check, const RefractiveIndex& index, bool in_use, c
             return;
         }
         check_value(check, value.value(), field);
+        check.require(extinction == Extinction::welcome || !extinction_is_unknown(index, nm), field,
+                      "k is not known at " + number_text(nm) + " nm",
+                      "a conductor needs it: render at wavelengths inside the range of k, or use another record");
     }
 }
 
@@ -47,7 +56,38 @@ std::set<std::string> media_in_use(const Scene& scene) {
     return names;
 }
 
+/// "k of 'kapton' is not known at 2 of 3 wavelengths, the first at 580 nm"; empty: it is.
+std::string unknown_extinction(const RefractiveIndex& index, const std::vector<double>& wavelengths_nm) {
+    std::vector<double> unknown;
+    std::copy_if(wavelengths_nm.begin(), wavelengths_nm.end(), std::back_inserter(unknown),
+                 [&](double nm) { return extinction_is_unknown(index, nm); });
+    if (unknown.empty()) return {};
+    std::string text = "k of '" + std::get<DispersiveIndex>(index).name + "' is not known at ";
+    if (wavelengths_nm.size() > 1)
+        text += std::to_string(unknown.size()) + " of " + std::to_string(wavelengths_nm.size()) +
+                " wavelengths, the first of them ";
+    return text + number_text(unknown.front()) + " nm: 0 is used";
+}
+
 }  // namespace
+
+std::vector<std::string> unknown_extinctions(const Scene& scene) {
+    std::vector<std::string> found;
+    const auto look_at = [&](const RefractiveIndex& index) {
+        const std::string text = unknown_extinction(index, scene.render.wavelengths_nm);
+        if (!text.empty() && std::find(found.begin(), found.end(), text) == found.end()) found.push_back(text);
+    };
+    const std::set<std::string> used = media_in_use(scene);
+    for (const Medium& medium : scene.media) {
+        if (used.count(medium.name) == 0) continue;
+        if (const auto* isotropic = std::get_if<IsotropicMedium>(&medium.matter)) look_at(isotropic->index);
+        if (const auto* crystal = std::get_if<UniaxialMedium>(&medium.matter)) {
+            look_at(crystal->ordinary);
+            look_at(crystal->extraordinary);
+        }
+    }
+    return found;
+}
 
 const Medium* find_medium(const Scene& scene, const std::string& name) {
     const auto found =
@@ -94,7 +134,9 @@ void check_media(SceneCheck& check) {
                            check_spectrum(check, m.absorption_o, wavelengths, field + ".absorption_o");
                            check_spectrum(check, m.absorption_e, wavelengths, field + ".absorption_e");
                        },
-                       [&](const ConductorMedium& m) { check_index(check, m.index, in_use, field + ".conductor"); },
+                       [&](const ConductorMedium& m) {
+                           check_index(check, m.index, in_use, field + ".conductor", Extinction::needed);
+                       },
                    },
                    medium.matter);
     }

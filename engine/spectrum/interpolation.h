@@ -10,7 +10,7 @@
 namespace pol {
 
 /// Linear interpolation; on a node, its value to the bit.
-/// Requires: as many values as nodes, nodes strictly ascending, `at` between the first and the last.
+/// Requires: as many values as nodes, nodes ascending (strictly around `at`), `at` between the first and the last.
 inline double interpolate(const std::vector<double>& nodes, const std::vector<double>& values, double at) {
     POL_EXPECTS(nodes.size() == values.size() && !nodes.empty());
     POL_EXPECTS(at >= nodes.front() && at <= nodes.back());

@@ -3,7 +3,9 @@
 // or a table of n and k. Never extrapolates.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,7 +25,7 @@ struct ConstantIndex {
     friend bool operator==(const ConstantIndex&, const ConstantIndex&) = default;
 };
 
-/// Formula 1 to 6 of the refractiveindex.info database, wavelength in micrometres.
+/// Formula 1 to 9 of the refractiveindex.info database, wavelength in micrometres.
 struct DispersionFormula {
     int number = 1;
     std::vector<double> coefficients;
@@ -32,26 +34,46 @@ struct DispersionFormula {
     friend bool operator==(const DispersionFormula&, const DispersionFormula&) = default;
 };
 
-/// Linear interpolation of one column between nodes, wavelengths ascending.
+/// Linear interpolation of one column between nodes. Wavelengths ascend; a node stands twice if the source gives two
+/// values for it, and negative values are kept: index_at refuses where it would need such a node.
 struct IndexTable {
     std::vector<double> wavelength_nm;
     std::vector<double> value;
     friend bool operator==(const IndexTable&, const IndexTable&) = default;
 };
 
-/// n from a formula or a table; k from a table, or zero where there is none.
+using IndexBlock = std::variant<DispersionFormula, IndexTable>;
+
+/// n from a formula or a table; k from a table, or zero where there is none. A record may have more blocks of either,
+/// for other wavelengths.
 struct DispersiveIndex {
     std::string name;  ///< file or record, for messages
-    std::variant<DispersionFormula, IndexTable> n;
+    IndexBlock n;
     IndexTable k;  ///< empty: k = 0
+    std::vector<IndexBlock> more_n{};
+    std::vector<IndexTable> more_k{};
     friend bool operator==(const DispersiveIndex&, const DispersiveIndex&) = default;
 };
 
 using RefractiveIndex = std::variant<ConstantIndex, DispersiveIndex>;
 
-/// Index at a vacuum wavelength. Error (kind input) if the wavelength lies outside the range of the data or n^2 is not
-/// a positive finite number there.
+/// Highest number of a dispersion formula.
+inline constexpr int last_formula = 9;
+
+/// What is wrong with this number of coefficients in formula `number` (1 to last_formula); empty: nothing.
+std::string coefficient_problem(int number, std::size_t count);
+
+/// The rows in ascending order, each once: the order of rows, or their repetition, is no content of a table. Rows of
+/// one wavelength with different values stay, in their order.
+IndexTable index_table(std::vector<std::pair<double, double>> rows);
+
+/// Index at a vacuum wavelength; k is 0 where it is not known (extinction_is_unknown). Error (kind input) if the
+/// wavelength lies outside the range of n, or n^2 is not a positive finite number there, or a row of a table that is
+/// needed is negative or contradicted by another, or so is a block.
 Result<ComplexIndex> index_at(const RefractiveIndex& index, double wavelength_nm);
+
+/// True if the record has k, but not at this wavelength.
+bool extinction_is_unknown(const RefractiveIndex& index, double wavelength_nm);
 
 /// True if the index is the same at all wavelengths.
 bool is_constant(const RefractiveIndex& index);

@@ -264,6 +264,31 @@ class Interface(ProgramTest):
         self.assertRegex(table, r"reflected +p .* 0\.0000000000 ")
 
 
+    RECORD = "DATA:\n  - type: tabulated n\n    data: |\n        0.4 {0}\n        0.7 {0}\n"
+
+    def test_a_name_that_begins_like_a_number_is_a_record(self):
+        for name in ("infrasil.yml", "4H-SiC.yml", "nanogold.yml", "1e3.yml", "0x10.yml"):
+            self.write(name, self.RECORD.format(1.458))
+            self.assertIn("to    isotropic, n = 1.458\n", self.succeed("interface", "--from", "air", "--to", name), name)
+        for number, said in (("1.5", "n = 1.5\n"), ("1.5e0", "n = 1.5\n"), ("0.3+2.84i", "n = 0.3 + 2.84 i")):
+            self.assertIn(said, self.succeed("interface", "--from", "air", "--to", number))
+        self.assertIn("n_o = 1.66, n_e = 1.49", self.succeed("interface", "--from", "air", "--to", "1.66, 1.49",
+                                                             "--axis", "1,0,1"))
+
+    def test_a_path_of_a_crystal_is_the_pair_of_its_files(self):
+        self.write("spar-o.yml", self.RECORD.format(1.6584))
+        self.write("spar-e.yml", self.RECORD.format(1.4864))
+        table = self.succeed("interface", "--from", "air", "--to", "./spar", "--axis", "1,0,1")
+        self.assertIn("uniaxial, n_o = 1.6584, n_e = 1.4864", table)
+
+    def test_an_extinction_that_is_not_known_is_zero_and_said(self):
+        self.write("film.yml", self.RECORD.format(1.5) + "  - type: tabulated k\n    data: 9 0.1\n")
+        done = self.run_program("interface", "--from", "air", "--to", "film.yml")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("isotropic, n = 1.5\n", done.stdout)
+        self.assertIn("k of 'film.yml' is not known at 580 nm: 0 is used", done.stderr)
+
+
 class Plan(ProgramTest):
     def test_json_lists_every_feature_with_its_reason(self):
         plan = strict_json(self.succeed("plan", CALCITE, "--json", "--wavelengths", "380:780:20"))

@@ -11,6 +11,8 @@
 #include <ostream>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/scene_file.h"
@@ -225,8 +227,27 @@ const std::vector<BadScene>& bad_scenes() {
          object("shape: {sphere: {radius: 1}}, medium: g") +
              "media: {g: {index: 1.5, absorption: {table: [[400, 0], [500, 0]]}}}\n",
          "{table", "media.g.absorption", "580", ""},
-        {"table descends", empty_scene + "background: {table: [[500, 1], [400, 1]]}\n", "[[500,", "background.table",
-         "ascend", "sort"},
+        {"table with two values", empty_scene + "background: {table: [[500, 1], [400, 1], [500, 2]]}\n", "[[500,",
+         "background.table", "two values at 500 nm", "only one"},
+        {"table in micrometres", empty_scene + "background: {table: [[0.4, 1], [0.7, 1]]}\n", "[[0.4,",
+         "background.table", "were micrometres meant?", "0.58 um is 580"},
+        {"formula in micrometres",
+         empty_scene + "media: {g: {index: {formula: 5, coefficients: [1.5], range: [0.4, 0.7]}}}\n", "[0.4, 0.7]",
+         "media.g.index.range", "were micrometres meant?", "0.58 um is 580"},
+        {"wavelength in micrometres", empty_scene + "render: {wavelengths: 0.58}\n", "0.58", "render.wavelengths",
+         "were micrometres meant?", "0.58 um is 580"},
+        {"wavelengths in micrometres", empty_scene + "render: {wavelengths: [0.45, 0.65]}\n", "[0.45",
+         "render.wavelengths", "were micrometres meant?", "0.45 um is 450"},
+        {"crystal of one file", empty_scene + "media: {c: {crystal: ./spar.yml}}\n", "./spar", "media.c.crystal",
+         "one file, and a crystal has two indices", "NAME-o.yml"},
+        {"biaxial crystal", empty_scene + "media: {c: {crystal: ktp}}\n", "ktp", "media.c.crystal", "biaxial",
+         "NAME-o"},
+        {"crystal as one index", empty_scene + "media: {c: calcite}\n", "calcite", "media.c", "is a crystal",
+         "{crystal: calcite}"},
+        {"metal without its k",
+         object("shape: {sphere: {radius: 1}}, medium: g") +
+             "media: {g: {conductor: {table: [[400, 1], [700, 1]], k: [[400, 3], [500, 3]]}}}\n",
+         "{table", "media.g.conductor", "k is not known at 580 nm", "inside the range of k"},
         {"wavelengths that are a map", empty_scene + "render: {wavelengths: {a: 580}}\n", "{a:", "render.wavelengths",
          "a number is missing", "380:780:20"},
         {"no wavelengths", empty_scene + "render: {wavelengths: ~}\n", "~}", "render.wavelengths",
@@ -351,11 +372,53 @@ TEST_F(SceneFolder, AnIncludeHasNoCamera) {
 }
 
 TEST_F(SceneFolder, AMalformedIndexRecordIsReportedInItsOwnFile) {
-    write("bad.yml", "DATA:\n  - type: formula 9\n    coefficients: 1 2 3\n    wavelength_range: 0.3 0.8\n");
+    write("bad.yml", "DATA:\n  - type: formula 10\n    coefficients: 1 2 3\n    wavelength_range: 0.3 0.8\n");
     const Result<Scene> scene = load_scene(write("a.yaml", empty_scene + "media: {g: bad.yml}\n"));
     ASSERT_FALSE(scene);
     EXPECT_EQ(fs::path(scene.error().place.file).filename(), "bad.yml");
     EXPECT_GT(scene.error().place.line, 0);
+}
+
+TEST_F(SceneFolder, ARecordThatIsGoneIsSavedWithAllItsBlocks) {
+    write("r.yml",
+          "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 0.5\n    coefficients: 1.5\n"
+          "  - type: tabulated nk\n    data: |\n        0.5 1.25 1\n        0.6 1.25 1\n        0.6 1.25 2\n"
+          "  - type: tabulated k\n    data: |\n        2.0 -3\n        3.0 3\n");
+    const Result<Scene> scene = load_scene(write("a.yaml", empty_scene + "media: {g: r.yml}\n"));
+    ASSERT_TRUE(scene) << to_string(scene.error());
+    fs::remove(folder_ / "r.yml");
+    const Result<Scene> again = load_scene(write("b.yaml", save_scene(scene.value())));
+    ASSERT_TRUE(again) << to_string(again.error());
+    EXPECT_EQ(std::get<IsotropicMedium>(again.value().media[0].matter).index,
+              std::get<IsotropicMedium>(scene.value().media[0].matter).index);
+}
+
+TEST_F(SceneFolder, ACrystalByPathIsThePairOfFilesBesideTheScene) {
+    const std::string record = "DATA:\n  - type: tabulated n\n    data: |\n        0.4 1.6584\n        0.7 1.6584\n";
+    write("spar-o.yml", record);
+    write("spar-e.yml", "DATA:\n  - type: formula 5\n    wavelength_range: 0.4 0.7\n    coefficients: 1.4864\n");
+    write("spar.yml", record);
+    const fs::path path = write("a.yaml", empty_scene + "media: {c: {crystal: ./spar}}\n");
+    const Result<Scene> scene = load_scene(path);
+    ASSERT_TRUE(scene) << to_string(scene.error());
+    const auto indices = [](const Scene& of) {
+        const auto& crystal = std::get<UniaxialMedium>(of.media[0].matter);
+        return std::pair{index_at(crystal.ordinary, 580.0).value().n, index_at(crystal.extraordinary, 580.0).value().n};
+    };
+    EXPECT_EQ(indices(scene.value()), std::pair(1.6584, 1.4864));
+    const Result<Scene> again = load_scene(write("b.yaml", save_scene(scene.value())));
+    ASSERT_TRUE(again) << to_string(again.error());
+    EXPECT_EQ(indices(again.value()), std::pair(1.6584, 1.4864));
+
+    fs::remove(folder_ / "spar-e.yml");
+    const Result<Scene> half = load_scene(path);
+    ASSERT_FALSE(half);
+    EXPECT_EQ(half.error().field, "media.c.crystal");
+    EXPECT_NE(half.error().what.find("spar-e.yml"), std::string::npos) << half.error().what;
+    fs::remove(folder_ / "spar-o.yml");
+    EXPECT_NE(load_scene(path).error().what.find("no file './spar-o.yml'"), std::string::npos);
+    write("spar-beta.yml", record);
+    EXPECT_NE(load_scene(path).error().what.find("biaxial (it has spar-beta)"), std::string::npos);
 }
 
 TEST_F(SceneFolder, ATextureThatIsNoPictureIsReportedWhereItIsNamed) {

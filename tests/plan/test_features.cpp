@@ -38,9 +38,9 @@ objects:
 TEST(Features, AFlatConvexSolidOfGlassNeedsNothingButItsPlanes) {
     const auto plan = box_of("1.5", "380:780:20");
     for (const char* name :
-         {"dispersion", "crystals (o and e rays)", "metals", "absorption along rays", "polarizers and retarders",
-          "analytic spheres", "Embree scene", "shared faces", "nested or overlapping media", "textured emission",
-          "polarized emission", "background light", "pixel area sampling", "depth limit"})
+         {"dispersion", "crystals (o and e rays)", "metals", "absorption along rays", "extinction taken as 0",
+          "polarizers and retarders", "analytic spheres", "Embree scene", "shared faces", "nested or overlapping media",
+          "textured emission", "polarized emission", "background light", "pixel area sampling", "depth limit"})
         EXPECT_FALSE(feature(*plan, name).needed) << name;
     EXPECT_TRUE(feature(*plan, "half-space solids").needed);
     EXPECT_NE(feature(*plan, "half-space solids").reason.find("thing"), std::string::npos);
@@ -57,6 +57,8 @@ TEST(Features, NeededOnesNameWhoNeedsThem) {
         EXPECT_TRUE(f.needed) << name;
         EXPECT_NE(f.reason.find(user), std::string::npos) << f.reason;
     };
+    names(box_of("{index: {name: film, table: [[400, 1.5], [700, 1.5]], k: [[600, 0], [700, 0]]}}", "580"),
+          "extinction taken as 0", "k of 'film' is not known at 580 nm");
     const auto crystal = box_of("{crystal: calcite}", "[450, 550]");
     names(crystal, "crystals (o and e rays)", "thing");
     names(crystal, "dispersion", "thing");

@@ -119,5 +119,22 @@ TEST(SceneCheck, OnlyMediaInUseMustCoverTheWavelengths) {
     EXPECT_FALSE(first_problem(scene));
 }
 
+TEST(SceneCheck, AnExtinctionThatIsNotKnownIsSaidOnce) {
+    Scene scene = glass_box();
+    scene.render.wavelengths_nm = {450.0, 550.0, 650.0};
+    EXPECT_TRUE(unknown_extinctions(scene).empty());
+    const DispersiveIndex film{"film", IndexTable{{400.0, 700.0}, {1.6, 1.5}}, IndexTable{{600.0, 700.0}, {0.0, 0.0}}};
+    scene.media.push_back({"film", IsotropicMedium{film, ConstantSpectrum{0.0}}, {}});
+    scene.media.push_back({"pair", UniaxialMedium{film, film}, {}});
+    EXPECT_TRUE(unknown_extinctions(scene).empty()) << "not in use";
+    scene.objects[0].role = FilledWith{"pair"};
+    scene.ambient = "film";
+    EXPECT_EQ(unknown_extinctions(scene),
+              std::vector<std::string>{
+                  "k of 'film' is not known at 2 of 3 wavelengths, the first of them 450 nm: 0 is used"});
+    scene.render.wavelengths_nm = {550.0};
+    EXPECT_EQ(unknown_extinctions(scene), std::vector<std::string>{"k of 'film' is not known at 550 nm: 0 is used"});
+}
+
 }  // namespace
 }  // namespace pol
