@@ -154,9 +154,9 @@ Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& w
                 const auto number = [&](bool defined, double value) {
                     return is_traced && defined ? fmt::to_string(value) : std::string();
                 };
-                fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", x, y,
-                               picture.wavelengths_nm[w], number(true, s.s0), number(true, s.s1), number(true, s.s2),
-                               number(true, s.s3), number(m.has_light, m.dop),
+                fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n",
+                               picture.left + x, picture.top + y, picture.wavelengths_nm[w], number(true, s.s0),
+                               number(true, s.s1), number(true, s.s2), number(true, s.s3), number(m.has_light, m.dop),
                                number(m.has_azimuth, degrees(m.azimuth)),
                                number(m.has_polarization, degrees(m.ellipticity_angle)),
                                is_traced ? picture.plane_value(picture.residual, w, pixel) : 1.0,

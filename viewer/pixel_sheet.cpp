@@ -295,10 +295,11 @@ PixelSheet make_pixel_sheet(const Session& session) {
     const Convention& convention = session.view.convention;
     const Document& document = *session.current();
     PixelSheet sheet;
-    sheet.pixel = *session.selection.pinned();
+    const PixelAddress pixel = *session.selection.pinned();
+    sheet.pixel = {document.picture().left + pixel.x, document.picture().top + pixel.y};
     sheet.convention = convention.text();
     // The frame is turned before the convention labels it.
-    const PixelReading reading = read_pixel(session, sheet.pixel, Convention{});
+    const PixelReading reading = read_pixel(session, pixel, Convention{});
     WavelengthReading at = reading.wavelengths[std::min(session.view.wavelength, reading.wavelengths.size() - 1)];
     if (reading.samples == 0U && session.explanation() != nullptr) {
         at = reading_of(*session.explanation(), *document.plan(), session.bench);
@@ -306,7 +307,7 @@ PixelSheet make_pixel_sheet(const Session& session) {
     }
     sheet.wavelength_nm = at.wavelength_nm;
 
-    const auto axes = camera_axes(document, sheet.pixel);
+    const auto axes = camera_axes(document, pixel);
     const double angle = frame_angle(settings, axes, sheet.trouble);
     const Stokes<double> turned = angle == 0.0 ? at.light.stokes : rotate_basis(at.light.stokes, angle);
     const double noise = noise_threshold(1000.0);

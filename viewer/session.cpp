@@ -110,6 +110,10 @@ Result<Comparison> Session::compare() const {
         return refusal(fmt::format("{} has {} x {} pixels, the reference {} has {} x {}", document->name(), a.width,
                                    a.height, reference_->name(), b.width, b.height),
                        "compare pictures of one size");
+    if (a.left != b.left || a.top != b.top)
+        return refusal(fmt::format("{} begins at pixel {},{} of its picture, the reference {} at {},{}",
+                                   document->name(), a.left, a.top, reference_->name(), b.left, b.top),
+                       "compare the same part of both pictures");
     const double nm = a.wavelengths_nm[std::min(view.wavelength, a.wavelengths_nm.size() - 1)];
     // Files keep wavelengths as decimal texts.
     constexpr double same_nm = 1e-6;

@@ -48,7 +48,9 @@ void print(const ordered_json& report) {
 
 void print_text(const std::string& file, const StokesImage& image, const ImageReport& report) {
     const std::size_t planes = image.wavelengths_nm.size();
-    fmt::print("{}: {}x{} pixels, {} {}\n\n", file, image.width, image.height, planes,
+    const bool is_crop = image.left != 0 || image.top != 0;
+    fmt::print("{}: {}x{} pixels{}, {} {}\n\n", file, image.width, image.height,
+               is_crop ? fmt::format(" from pixel {},{} of the picture on", image.left, image.top) : "", planes,
                planes == 1 ? "wavelength" : "wavelengths");
     for (const ImageDefect& defect : report.defects) {
         fmt::print("{:<46}{:>10}  {}", defect.name, defect.count, defect.count == 0 ? "pass" : "FAIL");
@@ -72,6 +74,9 @@ ordered_json as_json(const std::string& file, const StokesImage& image, const Im
     ordered_json out{{"file", file},
                      {"width", image.width},
                      {"height", image.height},
+                     {"first_pixel", {image.left, image.top}},
+                     {"bits", image.stored.bits},
+                     {"lossy_compression", image.stored.lossy},
                      {"wavelengths_nm", image.wavelengths_nm},
                      {"physical", report.physical()}};
     for (const ImageDefect& defect : report.defects) {

@@ -13,6 +13,17 @@
 
 namespace pol {
 
+/// How a picture's Stokes numbers were kept before they were read.
+struct StoredNumbers {
+    int bits = 32;      ///< of a number: 32, 24 (a float cut short by PXR24) or 16 (a half)
+    std::string lossy;  ///< a compression that changes numbers by more than that, by no simple bound: "B44"
+
+    /// Largest relative error by rounding to nearest: half a unit in the last of 24, 16 or 11 significant bits.
+    [[nodiscard]] double rounding() const { return bits == 32 ? 0x1p-24 : bits == 24 ? 0x1p-16 : 0x1p-11; }
+    /// Spacing of the smallest numbers, which have no relative precision.
+    [[nodiscard]] double step() const { return bits == 32 ? 0x1p-149 : bits == 24 ? 0x1p-141 : 0x1p-24; }
+};
+
 /// Mean over the samples of each pixel, in the camera frame: x = image right, y = image up, both made transverse to the
 /// pixel's ray, k towards the camera. Row 0 is the top row.
 ///
@@ -22,8 +33,12 @@ namespace pol {
 struct StokesImage {
     int width = 0;
     int height = 0;
+    /// Place of the first column and row in the whole picture, of which a file may hold a part only.
+    int left = 0;
+    int top = 0;
     std::vector<double> wavelengths_nm;  ///< ascending
     std::vector<Stokes<double>> stokes;
+    StoredNumbers stored;  ///< of `stokes`
     /// Share of the pixel's throughput that was not traced, 0 to 1; the missing coherence matrix is positive
     /// semidefinite with trace at most residual * brightest (performance.md 3.3).
     std::vector<double> residual;

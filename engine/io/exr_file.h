@@ -28,10 +28,13 @@ Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& pa
 /// Largest picture that read_exr takes into memory, counted as the doubles of StokesImage.
 inline constexpr double max_exr_bytes = 16.0 * 1024.0 * 1024.0 * 1024.0;
 
-/// Reads any picture of that layout, ours or not: channels in any order and of any type, wavelengths in any unit of the
-/// layout, left-handed files turned right-handed (S3 negated). The numbers are those of the file to the last bit.
+/// Reads any picture of that layout, ours or not: channels in any order, of any type and in any parts, wavelengths in
+/// any unit of the layout, left-handed files turned right-handed (S3 negated). The numbers are those of the file to the
+/// last bit, and StokesImage::stored says what they went through. A data window gives StokesImage::left and ::top.
 /// Other channels (R, G, B, reflectance T.*) are ignored; `attributes` has what the file says under `polariscope.`.
-/// Error (kind input): not an EXR file, truncated, no Stokes channels, S0 to S3 with different wavelengths, too large.
+/// Error (kind input): not an EXR file, truncated, too large; sound but not read, by name: no Stokes channels of
+/// wavelengths, S0 alone, S0 to S3 with different wavelengths, sampling other than 1 x 1, deep data, parts that do not
+/// fit together, a younger format.
 Result<StokesImage> read_exr(const std::filesystem::path& path);
 
 }  // namespace pol

@@ -3,7 +3,8 @@
 #include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfStringAttribute.h>
 #include <ImfTestFile.h>
 #include <fmt/format.h>
@@ -20,6 +21,7 @@
 #include <map>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -30,40 +32,14 @@
 #include "io/exr_file.h"
 #include "io/exr_header.h"
 #include "io/exr_layout.h"
+#include "io/exr_parts.h"
 
 namespace pol {
 namespace {
 
-/// Wavelength in nm and full channel name of the channels of one layer, ascending.
-using Layer = std::map<double, std::string>;
-
 /// A failure inside this file, which has no path yet.
 Error input_error(std::string what, std::string hint = {}) {
     return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
-}
-
-std::vector<std::string> channel_names(const Imf::Header& header) {
-    std::vector<std::string> names;
-    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-        names.emplace_back(channel.name());
-    }
-    return names;
-}
-
-Layer layer_of(const std::vector<std::string>& names, const std::string& layer) {
-    Layer channels;
-    for (const std::string& name : names) {
-        if (!name.starts_with(layer + ".")) continue;
-        const std::optional<double> wavelength =
-            parse_wavelength_suffix(std::string_view(name).substr(layer.size() + 1));
-        if (wavelength) channels.emplace(*wavelength, name);
-    }
-    return channels;
-}
-
-std::string text_attribute(const Imf::Header& header, const std::string& name) {
-    const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(name);
-    return attribute == nullptr ? std::string() : attribute->value();
 }
 
 /// "1, 2.5, 3": empty if any part is not a number.
@@ -82,103 +58,20 @@ std::vector<double> parse_numbers(std::string_view text) {
 }
 
 /// The wavelengths to the last bit if our attribute agrees with the rounded ones of the channel names.
-std::vector<double> exact_wavelengths(const Imf::Header& header, const Layer& channels) {
+std::vector<double> exact_wavelengths(const exr::Parts& parts, const exr::Layer& channels) {
     std::vector<double> named;
     for (const auto& [wavelength, name] : channels) named.push_back(wavelength);
-    const std::vector<double> exact = parse_numbers(text_attribute(header, exr::wavelengths_attribute));
+    const std::vector<double> exact = parse_numbers(parts.text(exr::wavelengths_attribute));
     const bool agree = std::equal(exact.begin(), exact.end(), named.begin(), named.end(),
                                   [](double a, double b) { return wavelength_suffix(a) == wavelength_suffix(b); });
     return agree ? exact : named;
 }
 
-struct Layout {
-    std::array<Layer, 4> stokes;
-    std::vector<std::string> residual;
-    std::vector<std::string> tail;
-    std::array<std::vector<std::string>, 4> sampling_error;  ///< by Stokes component
-    std::optional<std::string> samples;
-    std::optional<std::string> failures;
-    bool left_handed = false;
-};
-
-Result<std::vector<std::string>> share_channels(const std::vector<std::string>& names, const std::string& layer,
-                                                const Layer& stokes) {
-    if (std::find(names.begin(), names.end(), layer) != names.end()) return std::vector<std::string>{layer};
-    std::vector<std::string> channels;
-    const Layer found = layer_of(names, layer);
-    if (found.empty()) return channels;
-    for (const auto& [wavelength, name] : stokes) {
-        const auto channel = found.find(wavelength);
-        if (channel == found.end()) {
-            return input_error(fmt::format("channel {}.{} is missing", layer, wavelength_suffix(wavelength)),
-                               "render it again");
-        }
-        channels.push_back(channel->second);
-    }
-    return channels;
-}
-
-/// The first few names, for a message.
-std::string some_of(const std::vector<std::string>& names) {
-    constexpr std::size_t shown = 12;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) {
-        if (i > 0) text += ", ";
-        text += names[i];
-    }
-    return names.size() > shown ? text + ", ..." : text;
-}
-
-Result<Layout> layout_of(const Imf::Header& header) {
-    const std::vector<std::string> names = channel_names(header);
-    Layout layout;
-    for (std::size_t s = 0; s < layout.stokes.size(); ++s)
-        layout.stokes[s] = layer_of(names, exr::stokes_layers[s].name);
-    if (std::all_of(layout.stokes.begin(), layout.stokes.end(), [](const Layer& layer) { return layer.empty(); })) {
-        return input_error(fmt::format("no Stokes channels; found {}", some_of(names)),
-                           "expected S0.580,000000nm to S3.580,000000nm (Fichet, Pacanowski & Wilkie 2021)");
-    }
-    for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
-        for (const Layer& other : layout.stokes) {
-            for (const auto& [wavelength, name] : other) {
-                if (layout.stokes[s].contains(wavelength)) continue;
-                return input_error(fmt::format("{} has no channel for {}", exr::stokes_layers[s].name, name),
-                                   "S0, S1, S2 and S3 must have the same wavelengths");
-            }
-        }
-    }
-
-    Result<std::vector<std::string>> residual = share_channels(names, "residual", layout.stokes[0]);
-    if (!residual) return residual.error();
-    layout.residual = residual.value();
-    Result<std::vector<std::string>> tail = share_channels(names, "tail", layout.stokes[0]);
-    if (!tail) return tail.error();
-    layout.tail = tail.value();
-    for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
-        const std::string layer = std::string(exr::sampling_error_layer) + "." + exr::stokes_layers[s].name;
-        Result<std::vector<std::string>> channels = share_channels(names, layer, layout.stokes[s]);
-        if (!channels) return channels.error();
-        layout.sampling_error[s] = channels.value();
-        const std::size_t expected = layout.sampling_error[0].empty() ? 0 : layout.stokes[0].size();
-        if (layout.sampling_error[s].size() != expected)
-            return input_error(fmt::format("{} does not have the channels of {}", layer, exr::stokes_layers[0].name),
-                               "render it again");
-    }
-    if (header.channels().findChannel("samples") != nullptr) layout.samples = "samples";
-    if (header.channels().findChannel("failures") != nullptr) layout.failures = "failures";
-
-    const std::string handedness = text_attribute(header, exr::handedness_attribute);
-    layout.left_handed = handedness == "left";
-    if (!handedness.empty() && handedness != "left" && handedness != "right") {
-        return input_error(fmt::format("polarisationHandedness is '{}'", handedness), "expected left or right");
-    }
-    return layout;
-}
-
-/// Reads planes of numbers band by band and hands each value to its place in the picture.
+/// Reads planes of numbers part by part and band by band and hands each value to its place in the picture.
 class PlaneReader {
 public:
-    explicit PlaneReader(int width) : width_(static_cast<std::size_t>(width)) {}
+    PlaneReader(int width, const std::map<std::string, int>& parts)
+        : width_(static_cast<std::size_t>(width)), parts_(parts) {}
 
     /// `store(pixel, value)` is called once for every pixel.
     template <class Store>
@@ -190,8 +83,16 @@ public:
     }
 
     /// Throws what OpenEXR throws.
-    void read(Imf::InputFile& file) {
-        const Imath::Box2i window = file.header().dataWindow();
+    void read(Imf::MultiPartInputFile& file) {
+        std::set<int> used;
+        for (const auto& [channel, part] : parts_) used.insert(part);
+        for (const int part : used) read_part(file, part);
+    }
+
+private:
+    void read_part(Imf::MultiPartInputFile& file, int number) {
+        Imf::InputPart part(file, number);
+        const Imath::Box2i window = part.header().dataWindow();
         for (int top = window.min.y; top <= window.max.y; top += exr::band_height) {
             const int bottom = std::min(top + exr::band_height - 1, window.max.y);
             const std::size_t first = width_ * static_cast<std::size_t>(top - window.min.y);
@@ -204,18 +105,21 @@ public:
                 const auto base = reinterpret_cast<std::intptr_t>(band) - offset;
                 buffer.insert(name, Imf::Slice(type, reinterpret_cast<char*>(base), 4, 4 * width_));
             };
-            for (Plane& plane : planes_) insert(plane.channel, Imf::FLOAT, plane.band.data());
-            for (Count& count : counts_) insert(count.channel, Imf::UINT, count.plane->data() + first);
-            file.setFrameBuffer(buffer);
-            file.readPixels(top, bottom);
+            const auto is_here = [&](const auto& plane) { return parts_.at(plane.channel) == number; };
+            for (Plane& plane : planes_)
+                if (is_here(plane)) insert(plane.channel, Imf::FLOAT, plane.band.data());
+            for (Count& count : counts_)
+                if (is_here(count)) insert(count.channel, Imf::UINT, count.plane->data() + first);
+            part.setFrameBuffer(buffer);
+            part.readPixels(top, bottom);
             const std::size_t size = width_ * static_cast<std::size_t>(bottom - top + 1);
             for (Plane& plane : planes_) {
+                if (!is_here(plane)) continue;
                 for (std::size_t i = 0; i < size; ++i) plane.store(first + i, static_cast<double>(plane.band[i]));
             }
         }
     }
 
-private:
     struct Plane {
         std::string channel;
         std::vector<float> band;
@@ -228,6 +132,7 @@ private:
     [[nodiscard]] std::size_t band_size() const { return width_ * static_cast<std::size_t>(exr::band_height); }
 
     std::size_t width_;
+    const std::map<std::string, int>& parts_;  ///< by channel
     std::vector<Plane> planes_;
     std::vector<Count> counts_;
 };
@@ -247,12 +152,24 @@ double largest_compression(Imf::Compression kind) {
     return kind == Imf::DWAA_COMPRESSION || kind == Imf::DWAB_COMPRESSION ? 0x1p18 : 2048.0;
 }
 
-Result<StokesImage> read_picture(Imf::InputFile& file, std::uintmax_t file_bytes) {
-    const Imf::Header& header = file.header();
-    Result<Layout> found = layout_of(header);
+Result<StokesImage> read_picture(Imf::MultiPartInputFile& file, std::uintmax_t file_bytes) {
+    const Result<exr::Parts> all = exr::Parts::of(file);
+    if (!all) return all.error();
+    const exr::Parts& parts = all.value();
+    const Result<exr::Layout> found = exr::layout_of(parts);
     if (!found) return found.error();
-    const Layout& layout = found.value();
+    const exr::Layout& layout = found.value();
+    const std::vector<std::string> channels = layout.channels();
+    const Result<std::map<std::string, int>> located = parts.locate(channels);
+    if (!located) return located.error();
+    double compression = 0.0;
+    for (const auto& [channel, part] : located.value()) {
+        if (!file.partComplete(part))
+            return input_error("is incomplete: some scan lines are missing", "was the program that wrote it stopped?");
+        compression = std::max(compression, largest_compression(parts.header(part).compression()));
+    }
 
+    const Imf::Header& header = parts.header(located.value().at(channels.front()));
     const Imath::Box2i window = header.dataWindow();
     const double width = double{1} + window.max.x - window.min.x;
     const double height = double{1} + window.max.y - window.min.y;
@@ -266,18 +183,21 @@ Result<StokesImage> read_picture(Imf::InputFile& file, std::uintmax_t file_bytes
                            fmt::format("at most {:.0f} GiB", max_exr_bytes / 0x1p30));
     }
     const double least_stored = width * height * 4.0 * wavelengths * 2.0;  // S0 to S3 as half floats
-    if (least_stored > largest_compression(header.compression()) * static_cast<double>(file_bytes))
+    if (least_stored > compression * static_cast<double>(file_bytes))
         return input_error(fmt::format("promises {} x {} pixels, more than the file can hold", width, height),
                            "copy or render it again");
 
     StokesImage image;
     image.width = static_cast<int>(width);
     image.height = static_cast<int>(height);
-    image.wavelengths_nm = exact_wavelengths(header, layout.stokes[0]);
+    image.left = window.min.x - header.displayWindow().min.x;
+    image.top = window.min.y - header.displayWindow().min.y;
+    image.stored = parts.stored(layout.stokes_channels());
+    image.wavelengths_nm = exact_wavelengths(parts, layout.stokes[0]);
     const std::size_t pixels = image.pixel_count();
     image.stokes.resize(pixels * image.wavelengths_nm.size());
 
-    PlaneReader reader(image.width);
+    PlaneReader reader(image.width, located.value());
     for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
         const auto component = exr::stokes_layers[s].component;
         const double sign = s == 3 && layout.left_handed ? -1.0 : 1.0;
@@ -301,17 +221,14 @@ Result<StokesImage> read_picture(Imf::InputFile& file, std::uintmax_t file_bytes
     }
     add_shares(reader, layout.residual, pixels, image.residual);
     add_shares(reader, layout.tail, pixels, image.tail);
-    if (layout.samples) {
-        image.samples.resize(pixels);
-        reader.add_count(*layout.samples, image.samples);
-    }
-    if (layout.failures) {
-        image.failures.resize(pixels);
-        reader.add_count(*layout.failures, image.failures);
+    for (const std::string& name : layout.counts) {
+        std::vector<std::uint32_t>& plane = name == "samples" ? image.samples : image.failures;
+        plane.resize(pixels);
+        reader.add_count(name, plane);
     }
     reader.read(file);
 
-    const std::vector<double> brightest = parse_numbers(text_attribute(header, exr::brightest_attribute));
+    const std::vector<double> brightest = parse_numbers(parts.text(exr::brightest_attribute));
     if (brightest.size() == image.wavelengths_nm.size()) image.brightest = brightest;
     const std::string_view prefix = exr::attribute_prefix;
     for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
@@ -335,9 +252,7 @@ std::optional<Error> file_problem(const std::filesystem::path& path) {
     if (std::filesystem::file_size(path, status) == 0) return input_error("is empty", "render it again");
     if (!Imf::isOpenExrFile(path.c_str()))
         return input_error("is not an EXR file", "name a picture that polariscope render wrote");
-    if (const std::string complaint = exr_header_complaint(path); !complaint.empty())
-        return input_error("is damaged or truncated: " + complaint, "copy or render it again");
-    return std::nullopt;
+    return exr_header_problem(path);
 }
 
 }  // namespace
@@ -349,11 +264,7 @@ Result<StokesImage> read_exr(const std::filesystem::path& path) {
     };
     if (const auto problem = file_problem(path)) return located(*problem);
     try {
-        Imf::InputFile file(path.c_str());
-        if (!file.isComplete()) {
-            return located(
-                input_error("is incomplete: some scan lines are missing", "was the program that wrote it stopped?"));
-        }
+        Imf::MultiPartInputFile file(path.c_str());
         Result<StokesImage> image = read_picture(file, std::filesystem::file_size(path));
         if (!image) return located(image.error());
         return image;

@@ -129,7 +129,9 @@ std::string number_list(const std::vector<double>& numbers) {
 }
 
 Imf::Header header_of(const StokesImage& image, const Channels& channels) {
-    Imf::Header header(image.width, image.height);
+    const Imath::V2i corner(image.left, image.top);
+    const Imath::V2i last = corner + Imath::V2i(image.width - 1, image.height - 1);
+    Imf::Header header(Imath::Box2i({0, 0}, {std::max(last.x, 0), std::max(last.y, 0)}), Imath::Box2i(corner, last));
     header.compression() = Imf::PIZ_COMPRESSION;
     const auto set = [&header](const std::string& name, const std::string& text) {
         header.insert(name, Imf::StringAttribute(text));
@@ -172,9 +174,10 @@ void write_pixels(Imf::OutputFile& file, const StokesImage& image, const Channel
         const std::size_t first = image.pixel(0, top);
         const std::size_t count = width * static_cast<std::size_t>(lines);
         Imf::FrameBuffer buffer;
-        // A slice's base is the address of pixel (0, 0), which lies `first` elements before the band.
+        // A slice's base is the address of pixel (0, 0) of the whole picture.
+        const std::intptr_t before = std::intptr_t{image.top + top} * image.width + image.left;
         const auto insert = [&](const std::string& name, Imf::PixelType type, const void* band, std::size_t size) {
-            const auto base = reinterpret_cast<std::uintptr_t>(band) - first * size;
+            const auto base = reinterpret_cast<std::intptr_t>(band) - before * static_cast<std::intptr_t>(size);
             buffer.insert(name, Imf::Slice(type, reinterpret_cast<char*>(base), size, size * width));
         };
         for (std::size_t c = 0; c < channels.numbers.size(); ++c) {

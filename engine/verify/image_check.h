@@ -11,13 +11,16 @@
 
 namespace pol::verify {
 
-/// Largest |s|/S0 - 1 that rounding S0 to S3 to 32-bit floats makes of physical light: each is off by up to 2^-24 of
-/// itself, so (1 + 2^-24)/(1 - 2^-24) - 1.
-inline constexpr double float_excess = 0x1p-23 * (1.0 + 0x1p-22);
-/// The same for 16-bit floats (2^-11), which some programs write unless told otherwise.
-inline constexpr double half_excess = 0x1p-10 * (1.0 + 0x1p-9);
+/// Largest |s|/S0 - 1 that rounding S0 to S3 makes of physical light, each by up to `rounding` u of itself: (1 + u)/(1
+/// - u) - 1, u up to 2^-11.
+constexpr double excess_of(double rounding) {
+    return 2.0 * rounding * (1.0 + 4.0 * rounding);
+}
+/// Of 32-bit and 16-bit floats.
+inline constexpr double float_excess = excess_of(0x1p-24);
+inline constexpr double half_excess = excess_of(0x1p-11);
 
-/// A number at a pixel; row 0 is the top row.
+/// A number at a pixel of the whole picture; row 0 is its top row.
 struct PixelValue {
     int x = 0;
     int y = 0;
@@ -28,7 +31,7 @@ struct PixelValue {
 /// A kind of number that no light has.
 struct ImageDefect {
     std::string name;                 ///< "not a number or infinite"
-    std::string value_name;           ///< what PixelValue::value is: "S0"
+    std::string value_name;           ///< what PixelValue::value is: "S0"; empty if the count is 0
     std::size_t count = 0;            ///< pixels times wavelengths that have it
     std::optional<PixelValue> worst;  ///< none if the count is 0
 };
@@ -53,6 +56,7 @@ struct ImageReport {
     [[nodiscard]] bool physical() const;
 };
 
+/// Allows what StoredNumbers::rounding and ::step explain.
 ImageReport check_image(const StokesImage& image);
 
 }  // namespace pol::verify

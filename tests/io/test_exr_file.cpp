@@ -3,7 +3,6 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
-#include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -11,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -26,84 +26,13 @@
 
 #include "io/exr_channel.h"
 #include "io/exr_file.h"
+#include "io/exr_files.h"
 
 namespace pol {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// An empty folder of its own for each test.
-class ExrFile : public testing::Test {
-protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("polariscope-exr-" + std::to_string(::getpid()));
-        fs::remove_all(folder_);
-        fs::create_directory(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] fs::path path(const std::string& name = "picture.exr") const { return folder_ / name; }
-    [[nodiscard]] std::size_t file_count() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-    }
-
-    fs::path folder_;
-};
-
-/// Different numbers everywhere, all of them floats.
-StokesImage sample_image(int width, int height, std::vector<double> wavelengths_nm) {
-    StokesImage image;
-    image.width = width;
-    image.height = height;
-    image.wavelengths_nm = std::move(wavelengths_nm);
-    const std::size_t count = image.pixel_count() * image.wavelengths_nm.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const double base = 1.0 + static_cast<double>(i);
-        image.stokes.push_back({base, base / 2.0, -base / 4.0, base / 8.0});
-        image.residual.push_back(std::ldexp(base, -20));
-        image.sampling_error.push_back({base / 16.0, base / 32.0, base / 64.0, base / 128.0});
-    }
-    for (std::size_t i = 0; i < image.pixel_count(); ++i) {
-        image.tail.push_back(std::ldexp(static_cast<double>(i), -30));
-        image.samples.push_back(static_cast<std::uint32_t>(i) + 4000000000U);
-        image.failures.push_back(static_cast<std::uint32_t>(i % 2));
-    }
-    image.brightest.assign(image.wavelengths_nm.size(), 0.1);
-    image.attributes["scene_hash"] = "0123456789abcdef";
-    return image;
-}
-
 bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-/// A file by another program: `left` or `right` handed, numbers as halves, extra channels, data window off the origin.
-void write_foreign(const fs::path& path, const std::vector<std::string>& channels, const char* handedness,
-                   Imf::PixelType type) {
-    const Imath::Box2i window({3, 5}, {6, 6});
-    Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), window);
-    if (handedness != nullptr) header.insert("polarisationHandedness", Imf::StringAttribute(handedness));
-    std::vector<std::vector<float>> numbers;
-    std::vector<std::vector<half>> halves;
-    numbers.reserve(channels.size());
-    halves.reserve(channels.size());
-    Imf::FrameBuffer buffer;
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        header.channels().insert(channels[c], Imf::Channel(type));
-        std::vector<float>& plane = numbers.emplace_back();
-        std::vector<half>& half_plane = halves.emplace_back();
-        for (int i = 0; i < 8; ++i) {
-            plane.push_back(static_cast<float>(10 * c) + static_cast<float>(i));
-            half_plane.emplace_back(plane.back());
-        }
-        if (type == Imf::HALF)
-            buffer.insert(channels[c], Imf::Slice::Make(type, half_plane.data(), window));
-        else
-            buffer.insert(channels[c], Imf::Slice::Make(type, plane.data(), window));
-    }
-    Imf::OutputFile file(path.c_str(), header);
-    file.setFrameBuffer(buffer);
-    file.writePixels(2);
 }
 
 TEST_F(ExrFile, GivesBackTheSameNumbersToTheLastBit) {
@@ -204,49 +133,6 @@ TEST_F(ExrFile, HasAPreviewThatIsWhiteForD65) {
     file.setFrameBuffer(buffer);
     file.readPixels(0);
     EXPECT_NEAR(red, 1.0F, 0x1p-11F);  // half precision
-}
-
-TEST_F(ExrFile, IsReadFromOtherProgramsWithHalvesAnOffsetWindowAndLeftHandedStates) {
-    const std::vector<std::string> channels{"R",         "S0.5,8e2nm", "S1.5,8e2nm", "S2.5,8e2nm", "S3.5,8e2nm",
-                                            "S0.0,45um", "S1.0,45um",  "S2.0,45um",  "S3.0,45um",  "T.580,0nm"};
-    for (const char* handedness : {"left", "right"}) {
-        SCOPED_TRACE(handedness);
-        write_foreign(path(), channels, handedness, Imf::HALF);
-        const Result<StokesImage> read = read_exr(path());
-        ASSERT_TRUE(read) << to_string(read.error());
-        EXPECT_EQ(read.value().width, 4);
-        EXPECT_EQ(read.value().height, 2);
-        ASSERT_EQ(read.value().wavelengths_nm.size(), 2U);
-        EXPECT_NEAR(read.value().wavelengths_nm[0], 450.0, 1e-10);
-        EXPECT_EQ(read.value().wavelengths_nm[1], 580.0);
-        const double sign = std::string(handedness) == "left" ? -1.0 : 1.0;
-        EXPECT_EQ(read.value().at(1, 6), (Stokes<double>{16.0, 26.0, 36.0, sign * 46.0}));
-        EXPECT_EQ(read.value().at(0, 0), (Stokes<double>{50.0, 60.0, 70.0, sign * 80.0}));
-        EXPECT_TRUE(read.value().residual.empty());
-        EXPECT_TRUE(read.value().attributes.empty());
-    }
-}
-
-TEST_F(ExrFile, IsRefusedIfItHasNoStokesChannelsAndSaysWhatItHas) {
-    write_foreign(path(), {"S0.R", "S1.R", "depth.Z"}, nullptr, Imf::FLOAT);
-    const Result<StokesImage> read = read_exr(path());
-    ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().kind, ErrorKind::input);
-    EXPECT_NE(read.error().what.find("S0.R, S1.R, depth.Z"), std::string::npos) << read.error().what;
-}
-
-TEST_F(ExrFile, IsRefusedIfAComponentLacksAWavelength) {
-    write_foreign(path(),
-                  {"S0.580,0nm", "S1.580,0nm", "S2.580,0nm", "S3.580,0nm", "S0.600,0nm", "S1.600,0nm", "S2.600,0nm"},
-                  "right", Imf::FLOAT);
-    const Result<StokesImage> read = read_exr(path());
-    ASSERT_FALSE(read);
-    EXPECT_NE(read.error().what.find("S3 has no channel for S0.600,0nm"), std::string::npos) << read.error().what;
-}
-
-TEST_F(ExrFile, IsRefusedIfItsHandednessIsUnknown) {
-    write_foreign(path(), {"S0.580,0nm", "S1.580,0nm", "S2.580,0nm", "S3.580,0nm"}, "upwards", Imf::FLOAT);
-    EXPECT_FALSE(read_exr(path()));
 }
 
 TEST_F(ExrFile, IsRefusedIfItIsMissingAFolderEmptyOrSomethingElse) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <tuple>
 
 #include "core/random.h"
 #include "polarization/measures.h"
@@ -49,6 +51,9 @@ TEST(ImageCheck, FindsEveryDefectAndWhereItIsWorst) {
     EXPECT_EQ(report.defects[negative].worst->value, -2e-3);
     EXPECT_EQ(count(report, too_polarized), 2U);
     EXPECT_EQ(report.defects[too_polarized].worst->x, 8);
+    EXPECT_EQ(report.defects[not_finite].value_name, "S2");
+    EXPECT_TRUE(std::isnan(report.defects[not_finite].worst->value));
+    EXPECT_EQ(report.defects[negative].value_name, "S0");
     EXPECT_EQ(report.dop.lit, 251U);  // without the four above, and the dark one
     EXPECT_EQ(report.dop.dark, 1U);
 }
@@ -71,6 +76,40 @@ TEST(ImageCheck, AllowsWhatRoundingTo32BitsMakesOfFullyPolarizedLightAndNoMore) 
     EXPECT_GT(worst, 0.7 * float_excess);  // the budget is not generous
     image.stokes[5] = {1.0, 1.0 + 2.0 * float_excess, 0.0, 0.0};
     EXPECT_FALSE(check_image(image).physical());
+}
+
+TEST(ImageCheck, NamesThePixelOfTheWholePicture) {
+    StokesImage image = uniform({1.0, 0.3, -0.2, 0.1});
+    image.left = 60;
+    image.top = 40;
+    image.stokes[image.pixel(3, 2)].s0 = -1.0;
+    const ImageReport report = check_image(image);
+    EXPECT_EQ(report.defects[negative].worst->x, 63);
+    EXPECT_EQ(report.defects[negative].worst->y, 42);
+}
+
+// Both ends of a number's rounding: |s| up and S0 down by u, which is (1 + u)/(1 - u) - 1 = 2 u + 2 u^2 + ...
+TEST(ImageCheck, AllowsWhatRoundingToTheStoredBitsMakesAndSaysSo) {
+    for (const auto& [bits, u, said] : {std::tuple{24, 0x1p-16, "PXR24"}, {16, 0x1p-11, "16-bit floats"}}) {
+        StokesImage image = uniform({1.0 - u, 1.0 + u, 0.0, 0.0});
+        image.stored.bits = bits;
+        ImageReport report = check_image(image);
+        EXPECT_TRUE(report.physical()) << bits;
+        EXPECT_TRUE(has_remark(report, std::string("comes from ") + said)) << bits;
+        image.stokes[7].s1 = 1.0 + 2.0 * u;
+        report = check_image(image);
+        EXPECT_EQ(count(report, too_polarized), 1U) << bits;
+        EXPECT_EQ(report.defects[too_polarized].name,
+                  "more polarized than " + std::to_string(bits) + "-bit rounding allows");
+        EXPECT_TRUE(has_remark(report, std::string("comes from ") + said)) << bits;
+    }
+    // Numbers that are stored as 16 bits but right give no reason to speak.
+    StokesImage image = uniform({1.0, 0.5, 0.0, 0.0});
+    image.stored.bits = 16;
+    EXPECT_FALSE(has_remark(check_image(image), "16-bit"));
+    image.stokes[7].s1 = 1.1;
+    image.stored.lossy = "B44";
+    EXPECT_TRUE(has_remark(check_image(image), "may come from B44, a lossy compression"));
 }
 
 TEST(ImageCheck, AllowsTheSmallestFloats) {

@@ -94,6 +94,11 @@ TEST(Comparison, SaysWhyItIsNotPossible) {
     ASSERT_NO_FATAL_FAILURE(open_picture(session, other));
     EXPECT_NE(session.compare().error().what.find("no light of"), std::string::npos);
 
+    StokesImage elsewhere = known_picture();
+    elsewhere.left = 8;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, elsewhere));
+    EXPECT_NE(session.compare().error().what.find("begins at pixel 8,0 of its picture"), std::string::npos);
+
     StokesImage small;
     small.width = small.height = 1;
     small.wavelengths_nm = {580.0};

@@ -171,6 +171,17 @@ TEST_F(PicturePanelTest, TheAxesAtThePinAreThoseOfTheShownFrameAndConvention) {
     }
 }
 
+TEST_F(PicturePanelTest, HoverCountsThePixelsOfTheWholePicture) {
+    StokesImage part = known_picture();
+    part.left = 60;
+    part.top = 40;
+    ASSERT_NO_FATAL_FAILURE(open_picture(window.session, part));
+    window.draw();
+    window.move(window.place_of({3, 2}));
+    const std::string text = window.text_of([&] { draw_hover_readout(window.session); });
+    EXPECT_NE(text.find("x 63  y 42"), std::string::npos) << text;
+}
+
 TEST_F(PicturePanelTest, TheLegendCountsPixelsWithoutAValue) {
     window.session.show(Quantity::azimuth);
     window.session.shown_map.finish(*window.session.current(), window.session.view, window.session.bench);

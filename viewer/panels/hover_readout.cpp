@@ -18,8 +18,9 @@ namespace {
 
 std::string first_line(const Session& session, const PixelReading& reading, bool is_pinned) {
     const Quantity quantity = session.view.quantity;
-    const std::string place =
-        fmt::format("x {}  y {}{}", reading.address.x, reading.address.y, is_pinned ? " (pinned)" : "");
+    const StokesImage& picture = session.current()->picture();
+    const std::string place = fmt::format("x {}  y {}{}", picture.left + reading.address.x,
+                                          picture.top + reading.address.y, is_pinned ? " (pinned)" : "");
     const std::string bench = session.bench.empty() ? "" : "  behind the bench";
     if (quantity == Quantity::color) {
         const double size =

@@ -28,11 +28,12 @@ void choose(const char* label, Value& value, const char* const* names, int count
 /// The pixels that were pinned, the last one at the end: a click goes back.
 void draw_pins(Session& session) {
     const Selection& selection = session.selection;
+    const StokesImage& picture = session.current()->picture();
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     std::optional<PixelAddress> chosen;
     for (std::size_t i = 0; i < selection.pins.size(); ++i) {
         const PixelAddress pin = selection.pins[i];
-        const std::string name = std::to_string(pin.x) + "," + std::to_string(pin.y);
+        const std::string name = std::to_string(picture.left + pin.x) + "," + std::to_string(picture.top + pin.y);
         const bool is_current = static_cast<int>(i) == selection.current;
         const float width = ImGui::CalcTextSize(name.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
         if (i > 0 && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width < right) ImGui::SameLine();

@@ -195,8 +195,10 @@ void SpherePanel::handle_mouse(Session& session, const DVec2& center, double rad
         nearest = &candidate;
     }
     if (nearest == nullptr) return;
-    const std::string what = nearest->pixel ? fmt::format("pixel {},{}", nearest->pixel->x, nearest->pixel->y)
-                                            : fmt::format("branch {}", *nearest->node);
+    const StokesImage& picture = session.current()->picture();
+    const std::string what =
+        nearest->pixel ? fmt::format("pixel {},{}", picture.left + nearest->pixel->x, picture.top + nearest->pixel->y)
+                       : fmt::format("branch {}", *nearest->node);
     ImGui::SetTooltip("%s, %.6g nm\nS/S0 = (%s, %s, %s)\nS0 = %s", what.c_str(),
                       session.current()->picture().wavelengths_nm[nearest->wavelength],
                       short_number(nearest->place.x, 4).c_str(), short_number(nearest->place.y, 4).c_str(),
