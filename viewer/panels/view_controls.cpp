@@ -93,7 +93,9 @@ void draw_view_controls(Session& session) {
         "a "
         "gray scale, where gray is a value, and not for intensity and residual.");
     ImGui::Checkbox("numbers", &view.numbers_in_pixels);
-    tooltip("The value inside each pixel when it is zoomed large enough.");
+    tooltip(
+        "The value inside each pixel when it is zoomed large enough. ? not determined, - undefined or no light, ! "
+        "unphysical.");
 }
 
 void draw_glyph_controls(ViewSettings& view) {
