@@ -71,6 +71,7 @@ ScaleWords Convention::scale_words(Quantity quantity, bool is_difference) const 
     ScaleWords words;
     if (!depends_on_convention(quantity)) return words;
     words.note = stokes_text();
+    words.clockwise = viewpoint == Viewpoint::source;
     if (is_difference || (quantity != Quantity::s3 && quantity != Quantity::handedness)) return words;
     words.low = handedness_name(-1);
     words.high = handedness_name(1);

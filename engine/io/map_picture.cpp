@@ -361,8 +361,8 @@ private:
             for (int x = -radius; x <= radius; ++x) {
                 const double distance = std::hypot(x, y);
                 if (distance > radius || distance < 0.35 * radius) continue;
-                // Half a turn is the whole scale; rows run downwards.
-                const double turn = std::atan2(-y, x) / pi + 0.5;
+                // Half a turn is the whole scale; rows run downwards. A line from the left is one from the right, too.
+                const double turn = std::atan2(map_.words.clockwise ? y : -y, x) / pi + 0.5;
                 pixel_at(canvas, static_cast<int>(center_x) + x, static_cast<int>(center_y) + y) =
                     encode(scale_color(*map_.scale, turn - std::floor(turn)));
             }

@@ -34,9 +34,10 @@ ScaleKind kind_of(Quantity quantity, bool is_difference, const MapRange& range);
 
 /// What a scale says besides numbers.
 struct ScaleWords {
-    std::string low;   ///< name of what is below 0, written at the low end: "left"; empty: none
-    std::string high;  ///< the same above 0
-    std::string note;  ///< a line of the legend: "source's view, S3 > 0 left"; empty: none
+    std::string low;         ///< name of what is below 0, written at the low end: "left"; empty: none
+    std::string high;        ///< the same above 0
+    std::string note;        ///< a line of the legend: "source's view, S3 > 0 left"; empty: none
+    bool clockwise = false;  ///< angles are counted clockwise on the picture, from the left
 };
 
 struct MapOptions {

@@ -230,6 +230,28 @@ TEST(MapPicture, EnlargesSmallMapsByAWholeFactorAndNeverBlendsTheirPixels) {
     }
 }
 
+// Seen from behind, angles run the other way: the wheel is upside down about its axis from left to right, and nothing
+// else of the drawing changes.
+TEST(MapPicture, HasAWheelThatTurnsTheWayInWhichAnglesAreCounted) {
+    ColoredMap map = map_of_states(Quantity::azimuth, MapStyle::scientific);
+    const RgbPicture usual = map_picture(map, "scene.yaml").value();
+    map.words.clockwise = true;
+    const RgbPicture other = map_picture(map, "scene.yaml").value();
+    ASSERT_EQ(usual.pixels.size(), other.pixels.size());
+    Box wheel;
+    for (int y = 0; y < usual.height; ++y) {
+        for (int x = 0; x < usual.width; ++x) {
+            if (at(usual, x, y) == at(other, x, y)) continue;
+            wheel = {std::min(wheel.left, x), std::min(wheel.top, y), std::max(wheel.right, x),
+                     std::max(wheel.bottom, y)};
+        }
+    }
+    ASSERT_GT(wheel.right - wheel.left, 60) << "34 points around its center";
+    for (int y = wheel.top; y <= wheel.bottom; ++y)
+        for (int x = wheel.left; x <= wheel.right; ++x)
+            ASSERT_EQ(at(other, x, y), at(usual, x, wheel.top + wheel.bottom - y)) << x << " " << y;
+}
+
 // Its boxes lie below the picture, in the colors that the picture has.
 TEST(MapPicture, HasALegendInTheColorsOfThePictureInEveryStyle) {
     for (const MapStyle style : {MapStyle::scientific, MapStyle::paper, MapStyle::wilkie}) {

@@ -113,6 +113,7 @@ TEST(Convention, NamesTheSignsAsTheFieldIsSeen) {
             EXPECT_EQ(c.scale_words(quantity, true).high, "") << "a difference is not right-handed";
             EXPECT_EQ(c.scale_words(quantity, true).note, words.note);
         }
+        EXPECT_EQ(c.scale_words(Quantity::azimuth, false).clockwise, c.viewpoint == Viewpoint::source);
         EXPECT_EQ(c.state_name(turning), name + " circular");
         EXPECT_EQ(c.state_name({1.0, 0.0, 1.0, 0.0}),
                   c.viewpoint == Viewpoint::receiver ? "+45\u00b0" : "\u221245\u00b0");

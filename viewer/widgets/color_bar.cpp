@@ -68,7 +68,7 @@ void draw_legend(const Session& session, const MapScale& scale) {
             fmt::format("{} {}", state_text(state), percentage(summary.state[i], summary.pixels)).c_str());
         tooltip(std::string(state_definition(state)).c_str());
     }
-    if (!session.view.fade_by_bar || !scale.can_fade()) return;
+    if (!session.view.fade_by_bar || !scale.can_fade() || scale.kind == ScaleKind::color) return;
     ImGui::SameLine(0.0F, 14.0F);
     ImGui::TextUnformatted("fades with the error bar");
     tooltip("Full color: exact. Gray: the bar covers half of the range.");
@@ -162,6 +162,7 @@ void ColorBar::edit(Session& session, float width) {
 void draw_azimuth_wheel(const Session& session, const DVec2& center, double radius) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ColorScale scale = map_look(session).scale;
+    const ScaleWords words = map_options(session).words;
     list.AddCircleFilled(point(center), static_cast<float>(radius + 3.0), rim_color, 48);
     constexpr int steps = 72;
     for (int i = 0; i < steps; ++i) {
@@ -169,7 +170,7 @@ void draw_azimuth_wheel(const Session& session, const DVec2& center, double radi
         const double to = 2.0 * pi * (i + 1.2) / steps;
         // Half a turn is the whole scale, which begins at -90 degrees; y runs downwards on screen. Who looks from the
         // source sees azimuths turn the other way.
-        const double turn = session.view.convention.x_sign() * (from + pi / steps) / pi + 0.5;
+        const double turn = (words.clockwise ? -1.0 : 1.0) * (from + pi / steps) / pi + 0.5;
         const DVec2 a(std::cos(from), -std::sin(from));
         const DVec2 b(std::cos(to), -std::sin(to));
         list.AddQuadFilled(point(center + 0.4 * radius * a), point(center + radius * a), point(center + radius * b),
