@@ -40,8 +40,10 @@ FacetHit Sphere::exit(const DVec3& o, const DVec3& d, int skip) const {
 FacetHit Sphere::enter(const DVec3& o, const DVec3& d, int skip) const {
     if (skip >= 0) return {};
     const Chord c = chord(*this, o, d);
-    if (!(c.half2 >= 0.0) || !(c.middle > 0.0)) return {};
-    return {c.middle - std::sqrt(c.half2), 0};
+    if (!(c.half2 > 0.0) || !(c.middle > 0.0)) return {};
+    const double t = c.middle - std::sqrt(c.half2);
+    // Rounding of a distant start turns a line that grazes into one that touches: it must run inward where it arrives.
+    return dot(normal_at(o + t * d), d) < 0.0 ? FacetHit{t, 0} : FacetHit{};
 }
 
 bool Sphere::contains(const DVec3& p, double margin) const {

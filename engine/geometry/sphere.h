@@ -19,7 +19,8 @@ struct Sphere {
     /// Requires: |d| = 1.
     FacetHit exit(const DVec3& o, const DVec3& d, int skip) const;
 
-    /// Where a ray from outside enters. With `skip` = 0 (just left) nothing: the ball is convex. Requires: |d| = 1.
+    /// Where a ray from outside enters. With `skip` = 0 (just left) nothing: the ball is convex. A tangent misses the
+    /// ball: all of it is reflected, straight on. Requires: |d| = 1.
     FacetHit enter(const DVec3& o, const DVec3& d, int skip) const;
 
     /// Whether `p` is inside by more than `margin`; a negative margin lets points slightly outside in.

@@ -91,6 +91,28 @@ TEST(Sphere, FarStartsLoseNoMoreThanTheirCoordinatesDo) {
     }
 }
 
+// Grazing light is reflected straight on, so a tangent goes on as if there were no ball. Where rounding of the start
+// (an ulp of 1e9 is 1e-7) decides, a line that meets the ball must still run inward there: nothing else can be solved.
+TEST(Sphere, ATangentMissesTheBall) {
+    for (const double radius : {1.0, 0.5, 1e-6}) {
+        const Sphere ball{DVec3(0.0), radius};
+        for (const DVec3& d : {DVec3(0.0, 0.0, -1.0), DVec3(0.0, 1.0, 0.0), DVec3(-1.0, 0.0, 0.0)}) {
+            EXPECT_FALSE(ball.enter(radius * any_perpendicular(d) - 10.0 * d, d, -1));
+        }
+    }
+    const Sphere ball{DVec3(0.0), 1.0};
+    int met = 0;
+    for (std::uint32_t i = 0; i < 10000; ++i) {
+        const DVec3 d = direction(i);
+        const DVec3 o = any_perpendicular(d) - 1e9 * d;
+        const FacetHit hit = ball.enter(o, d, -1);
+        if (!hit) continue;
+        ++met;
+        EXPECT_LT(dot(ball.normal_at(o + hit.distance * d), d), 0.0);
+    }
+    EXPECT_GT(met, 1000) << "rounding puts no line inside: the test tests nothing";
+}
+
 TEST(Sphere, OnlyRoundTransformsAreAccepted) {
     DMat4 m(1.0);
     m[0] = {0.0, 2.0, 0.0, 0.0};
