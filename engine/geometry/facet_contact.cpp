@@ -5,6 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "geometry/mesh_check.h"
 
 namespace pol {
 namespace {
@@ -13,6 +17,7 @@ namespace {
 struct Face {
     Plane plane{};
     std::vector<std::array<DVec3, 3>> triangles;
+    double slack = 0.0;
     DVec3 low{std::numeric_limits<double>::infinity()};
     DVec3 high{-std::numeric_limits<double>::infinity()};
 };
@@ -29,6 +34,7 @@ std::vector<Face> faces_of(const Mesh& mesh) {
             face.high = glm::max(face.high, corners[k]);
         }
         face.triangles.push_back(corners);
+        face.slack = std::max(face.slack, slack(mesh, t));
     }
     return faces;
 }
@@ -65,27 +71,38 @@ double common_area(const std::array<DVec3, 3>& s, const std::array<DVec3, 3>& t,
 
 }  // namespace
 
-std::vector<FacetPair> flush_facets(const Mesh& a, const Mesh& b, double distance, Facing facing) {
+std::vector<FacetPair> flush_facets(const Mesh& a, const Mesh& b, Facing facing) {
     const std::vector<Face> faces_a = faces_of(a);
     const std::vector<Face> faces_b = faces_of(b);
+    std::vector<std::size_t> by_x(faces_b.size());
+    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+    std::sort(by_x.begin(), by_x.end(), [&](auto s, auto t) { return faces_b[s].low.x < faces_b[t].low.x; });
+    double largest_slack = 0.0;
+    for (const Face& g : faces_b) largest_slack = std::max(largest_slack, g.slack);
     std::vector<FacetPair> pairs;
     for (std::size_t i = 0; i < faces_a.size(); ++i) {
         const Face& f = faces_a[i];
-        for (std::size_t j = 0; j < faces_b.size(); ++j) {
+        for (const std::size_t j : by_x) {
             const Face& g = faces_b[j];
+            if (g.low.x > f.high.x + f.slack + largest_slack) break;
+            const double distance = f.slack + g.slack;
             const DVec3 between = glm::max(f.low - g.high, g.low - f.high);
             if (std::max({between.x, between.y, between.z}) > distance) continue;
             const double turn = dot(f.plane.normal, g.plane.normal);
             if ((turn > 0.0) != (facing == Facing::same)) continue;
-            if (!lies_in(f, g.plane, distance) || !lies_in(g, f.plane, distance)) continue;
+            if (!lies_in(f, g.plane, distance) && !lies_in(g, f.plane, distance)) continue;
             double area = 0.0;
             for (const auto& s : f.triangles) {
                 for (const auto& t : g.triangles) area += common_area(s, t, g.plane.normal);
             }
             const double extent = std::min(glm::length(f.high - f.low), glm::length(g.high - g.low));
-            if (area > distance * extent) pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+            if (area > distance * extent) {
+                pairs.push_back({static_cast<int>(i), static_cast<int>(j), distance});
+            }
         }
     }
+    std::sort(pairs.begin(), pairs.end(),
+              [](const FacetPair& p, const FacetPair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
     return pairs;
 }
 

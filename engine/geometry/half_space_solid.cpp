@@ -36,6 +36,7 @@ HalfSpaceSolid::HalfSpaceSolid(Mesh mesh) : mesh_(std::move(mesh)), blocks_(pack
     }
     center_ = 0.5 * (low + high);
     for (const DVec3& p : mesh_.vertices) radius_ = std::max(radius_, glm::distance(center_, p));
+    slack_ = pol::slack(mesh_);
 }
 
 Result<HalfSpaceSolid> HalfSpaceSolid::from_mesh(Mesh mesh) {

@@ -45,6 +45,8 @@ public:
     /// Bounding sphere: every vertex is within radius() of center().
     const DVec3& center() const { return center_; }
     double radius() const { return radius_; }
+    /// How far its surface may be from where it belongs, see mesh_check.h.
+    double slack() const { return slack_; }
 
 private:
     explicit HalfSpaceSolid(Mesh mesh);
@@ -52,6 +54,7 @@ private:
     Mesh mesh_;
     DVec3 center_{};
     double radius_ = 0.0;
+    double slack_ = 0.0;
     std::vector<PlaneBlock> blocks_;
 };
 

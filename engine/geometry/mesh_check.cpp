@@ -8,20 +8,25 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "core/units.h"
 #include "geometry/complaint.h"
+#include "geometry/mesh_pieces.h"
 
 namespace pol {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Float32 keeps 24 bits: coordinates of a file are off by up to 6e-8 of the largest one.
+// Of the size of a piece: float32 keeps 24 bits, and coordinates about the origin, perhaps turned and scaled since, are
+// off by up to 6e-8 of it.
 constexpr double weld_tolerance = 1e-7;
 constexpr double flatness_tolerance = 1e-6;
+// Of the height of a triangle: a bend of more than 1e-4 rad is one, unless rounding of the coordinates explains it.
+constexpr double bend_tolerance = 1e-4;
+// Of the size of a piece: numbers so coarse leave little of its shape.
+constexpr double most_rounding = 1e-2;
 
 Error broken(std::string what, std::string hint) {
     return complaint("", std::move(what), std::move(hint));
@@ -31,6 +36,18 @@ std::string text(const DVec3& p) {
     char buffer[96];
     std::snprintf(buffer, sizeof buffer, "(%.9g, %.9g, %.9g)", p.x, p.y, p.z);
     return buffer;
+}
+
+std::string text(double x) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3g", x);
+    return buffer;
+}
+
+Error too_coarse(const DVec3& p, int bits, double size) {
+    return broken("coordinates near " + text(p) + " are " + std::to_string(bits) +
+                      "-bit numbers, too coarse there for a piece of size " + text(size),
+                  "move the model to its origin before it is exported, and back by 'transform'");
 }
 
 std::string vertex_name(const Mesh& mesh, std::uint32_t v) {
@@ -45,47 +62,6 @@ double largest_coordinate(const std::vector<DVec3>& vertices) {
     double largest = 0.0;
     for (const DVec3& p : vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     return largest;
-}
-
-// For each vertex the lowest-numbered kept vertex within `tolerance`; `kept` receives the survivors in order.
-std::vector<std::uint32_t> weld(const std::vector<DVec3>& vertices, double tolerance, std::vector<DVec3>& kept) {
-    struct Cell {
-        std::int64_t x, y, z;
-        bool operator==(const Cell&) const = default;
-    };
-    struct CellHash {
-        std::size_t operator()(const Cell& c) const {
-            const auto u = [](std::int64_t i) { return static_cast<std::uint64_t>(i); };
-            return u(c.x) * 0x9e3779b97f4a7c15ULL ^ u(c.y) * 0xc2b2ae3d27d4eb4fULL ^ u(c.z) * 0x165667b19e3779f9ULL;
-        }
-    };
-    const auto cell_of = [&](double x) { return static_cast<std::int64_t>(std::floor(x / (2.0 * tolerance))); };
-    std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> grid;
-    std::vector<std::uint32_t> target;
-    target.reserve(vertices.size());
-    for (const DVec3& p : vertices) {
-        // A ball of one tolerance touches at most eight cells of twice the size.
-        const DVec3 low = p - DVec3(tolerance);
-        const DVec3 high = p + DVec3(tolerance);
-        auto found = static_cast<std::uint32_t>(kept.size());
-        for (std::int64_t x = cell_of(low.x); x <= cell_of(high.x); ++x) {
-            for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y) {
-                for (std::int64_t z = cell_of(low.z); z <= cell_of(high.z); ++z) {
-                    const auto cell = grid.find({x, y, z});
-                    if (cell == grid.end()) continue;
-                    for (const std::uint32_t v : cell->second) {
-                        if (glm::distance(kept[v], p) <= tolerance) found = std::min(found, v);
-                    }
-                }
-            }
-        }
-        if (found == kept.size()) {
-            kept.push_back(p);
-            grid[{cell_of(p.x), cell_of(p.y), cell_of(p.z)}].push_back(found);
-        }
-        target.push_back(found);
-    }
-    return target;
 }
 
 DVec3 vector_area(const Mesh& mesh, std::size_t t) {
@@ -163,8 +139,27 @@ struct FacetFit {
     }
 };
 
+double lowest_height(const Mesh& mesh, std::size_t t) {
+    const Triangle& v = mesh.triangles[t];
+    const double longest2 = std::max({length2(mesh.vertices[v[1]] - mesh.vertices[v[0]]),
+                                      length2(mesh.vertices[v[2]] - mesh.vertices[v[1]]),
+                                      length2(mesh.vertices[v[0]] - mesh.vertices[v[2]])});
+    return 2.0 * std::sqrt(length2(vector_area(mesh, t)) / longest2);
+}
+
+// How far the corners of triangle `t` may be off the plane of a facet that it joins. Corners and plane are both
+// rounded.
+double flatness(const Mesh& mesh, const Precision& precision, std::size_t t) {
+    double rounding = 0.0;
+    for (const std::uint32_t v : mesh.triangles[t]) {
+        rounding = std::max(rounding, precision.rounding(mesh.vertices[v]));
+    }
+    const double size = precision.piece_size(mesh.triangles[t][0]);
+    return std::max(4.0 * rounding, std::min(flatness_tolerance * size, bend_tolerance * lowest_height(mesh, t)));
+}
+
 // Flood fill over shared edges, largest triangles first: their planes are known best.
-void group_facets(Mesh& mesh, double tolerance) {
+void group_facets(Mesh& mesh, const Precision& precision) {
     constexpr std::uint32_t none = ~0U;
     const std::size_t count = mesh.triangles.size();
     std::vector<double> areas(count);
@@ -194,6 +189,7 @@ void group_facets(Mesh& mesh, double tolerance) {
                     if (mesh.facet_of_triangle[next] != none) continue;
                     const Plane plane = fit.plane();
                     const Triangle& w = mesh.triangles[next];
+                    const double tolerance = flatness(mesh, precision, next);
                     const bool flat = std::all_of(w.begin(), w.end(), [&](std::uint32_t p) {
                         return std::abs(dot(plane.normal, mesh.vertices[p]) - plane.offset) <= tolerance;
                     });
@@ -228,21 +224,26 @@ Result<Mesh> mesh_from_triangles(std::vector<DVec3> vertices, std::vector<Triang
     if (!(scale < 1e100)) return broken("coordinates reach " + std::to_string(scale), "scale the model down");
     if (!(scale > 1e-100)) return broken("all vertices lie at the origin", "scale the model up");
 
+    const Precision given(vertices, triangles);
+    std::vector<double> tolerances(vertices.size());
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+        const double rounding = given.rounding(vertices[v]);
+        const double size = given.piece_size(v);
+        if (size > 0.0 && rounding > most_rounding * size) return too_coarse(vertices[v], given.bits(), size);
+        tolerances[v] = std::max(weld_tolerance * size, 2.0 * rounding);
+    }
     Mesh mesh;
-    const std::vector<std::uint32_t> target = weld(vertices, weld_tolerance * scale, mesh.vertices);
+    const std::vector<std::uint32_t> target = weld(vertices, tolerances, mesh.vertices);
     mesh.triangles.reserve(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        const Triangle& given = triangles[t];
-        const Triangle v{target[given[0]], target[given[1]], target[given[2]]};
+        const Triangle& corners = triangles[t];
+        const Triangle v{target[corners[0]], target[corners[1]], target[corners[2]]};
         mesh.triangles.push_back(v);
-        const double longest2 = std::max({length2(mesh.vertices[v[1]] - mesh.vertices[v[0]]),
-                                          length2(mesh.vertices[v[2]] - mesh.vertices[v[1]]),
-                                          length2(mesh.vertices[v[0]] - mesh.vertices[v[2]])});
-        const double height = 2.0 * std::sqrt(length2(vector_area(mesh, t)) / longest2);
-        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0] || !(height > weld_tolerance * scale)) {
-            return broken("triangle " + std::to_string(t) + " is degenerate (vertices " + std::to_string(given[0]) +
-                              ", " + std::to_string(given[1]) + ", " + std::to_string(given[2]) + " near " +
-                              text(mesh.vertices[v[0]]) + ")",
+        const double least = tolerances[corners[0]];
+        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0] || !(lowest_height(mesh, t) > least)) {
+            return broken("triangle " + std::to_string(t) + " is degenerate (vertices " + std::to_string(corners[0]) +
+                              ", " + std::to_string(corners[1]) + ", " + std::to_string(corners[2]) + " near " +
+                              text(mesh.vertices[v[0]]) + "): less than " + text(least) + " high",
                           "remove faces without area in a modeling program");
         }
     }
@@ -251,7 +252,7 @@ Result<Mesh> mesh_from_triangles(std::vector<DVec3> vertices, std::vector<Triang
                           " have the same corners (near " + text(mesh.vertices[mesh.triangles[same->first][0]]) + ")",
                       "remove duplicate faces in a modeling program");
     }
-    group_facets(mesh, flatness_tolerance * scale);
+    group_facets(mesh, Precision(mesh.vertices, mesh.triangles));
     return mesh;
 }
 
@@ -285,7 +286,7 @@ Result<Done> check_closed(const Mesh& mesh) {
 }
 
 bool is_convex(const Mesh& mesh) {
-    const double tolerance = flatness_tolerance * mesh_size(mesh);
+    const double tolerance = slack(mesh);
     const auto inside = [&](const Plane& plane, std::uint32_t v) {
         return dot(plane.normal, mesh.vertices[v]) - plane.offset <= tolerance;
     };
@@ -334,15 +335,22 @@ bool encloses(const Mesh& mesh, const DVec3& p) {
     return half_angle > pi;
 }
 
-double mesh_size(const Mesh& mesh) {
-    if (mesh.vertices.empty()) return 0.0;
-    DVec3 low = mesh.vertices.front();
-    DVec3 high = low;
-    for (const DVec3& p : mesh.vertices) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
+double slack(const Mesh& mesh, std::size_t triangle) {
+    const Plane& plane = mesh.facets[mesh.facet_of_triangle[triangle]];
+    double off = 0.0;
+    double largest = 0.0;
+    for (const std::uint32_t v : mesh.triangles[triangle]) {
+        const DVec3& p = mesh.vertices[v];
+        off = std::max(off, std::abs(dot(plane.normal, p) - plane.offset));
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     }
-    return 0.5 * glm::length(high - low);
+    return 2.0 * off + rounding_share * largest;
+}
+
+double slack(const Mesh& mesh) {
+    double largest = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) largest = std::max(largest, slack(mesh, t));
+    return largest;
 }
 
 }  // namespace pol

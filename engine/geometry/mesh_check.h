@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,9 +13,12 @@
 
 namespace pol {
 
-/// Welds equal vertices (within 1e-7 of the largest coordinate: float32 files), and groups coplanar neighbors into
-/// facets whose planes are fitted in double over all their triangles. Error, naming vertices or triangles (from 0, as
-/// given), for coordinates that are not finite, indices out of range, degenerate triangles and duplicates.
+/// Welds equal vertices, and groups coplanar neighbors into facets whose planes are fitted in double over all their
+/// triangles. Tolerances follow each connected piece and the precision of the numbers, not the distance from the
+/// origin: vertices are equal within 1e-7 of the size of their piece, or what rounding may have moved both (of 32-bit
+/// numbers, if all coordinates are such); neighbors are coplanar within four times that rounding, or 1e-6 of the size
+/// if they bend by less than 1e-4 rad. Error, naming vertices or triangles (from 0, as given), for coordinates that are
+/// not finite or too coarse for their piece, indices out of range, degenerate triangles and duplicates.
 Result<Mesh> mesh_from_triangles(std::vector<DVec3> vertices, std::vector<std::array<std::uint32_t, 3>> triangles);
 
 /// Whether the mesh bounds a solid: every edge shared by exactly two triangles that run along it in opposite
@@ -22,7 +26,7 @@ Result<Mesh> mesh_from_triangles(std::vector<DVec3> vertices, std::vector<std::a
 /// that cut through themselves are not found.
 Result<Done> check_closed(const Mesh& mesh);
 
-/// Whether no vertex lies outside any facet's plane by more than 1e-6 of the size. Requires: closed.
+/// Whether no vertex lies outside any facet's plane by more than the slack (below). Requires: closed.
 /// Time: facets x vertices if it is convex.
 bool is_convex(const Mesh& mesh);
 
@@ -33,7 +37,14 @@ double signed_volume(const Mesh& mesh);
 /// 1983). Either answer on the surface itself. Time: linear. Requires: closed.
 bool encloses(const Mesh& mesh, const DVec3& p);
 
-/// Half the diagonal of the bounding box: the length that relative tolerances refer to.
-double mesh_size(const Mesh& mesh);
+/// Share of its coordinates that rounding may have moved a point by: 45 ulp, for a transform and a plane fit or two.
+inline constexpr double rounding_share = 1e-14;
+
+/// How far a triangle may be from where it belongs: twice what its corners are off the plane of its facet, which tells
+/// the precision of its numbers, and rounding_share of its largest coordinate. Other parts of the mesh do not matter.
+double slack(const Mesh& mesh, std::size_t triangle);
+
+/// The largest slack of any triangle.
+double slack(const Mesh& mesh);
 
 }  // namespace pol

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/open_surface.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
@@ -50,12 +51,41 @@ std::optional<SurfaceHit> OpenSurface::hit(const DVec3& o, const DVec3& d, int s
     const double along = dot(plane_.normal, d);
     const double t = dot(plane_.normal, center_ - o) / along;
     if (!(t > 0.0) || std::isinf(t)) return std::nullopt;
-    const DVec3 from_center = o + t * d - center_;
+    const auto uv = uv_at(o + t * d, 0.0);
+    if (!uv) return std::nullopt;
+    return SurfaceHit{t, *uv};
+}
+
+std::optional<DVec2> OpenSurface::uv_at(const DVec3& p, double margin) const {
+    const DVec3 from_center = p - center_;
     const double u = dot(dual_u_, from_center);
     const double v = dot(dual_v_, from_center);
-    const bool on = outline_ == Outline::disk ? u * u + v * v <= 1.0 : std::abs(u) <= 1.0 && std::abs(v) <= 1.0;
+    const double reach_u = 1.0 + margin * std::sqrt(length2(dual_u_));
+    const double reach_v = 1.0 + margin * std::sqrt(length2(dual_v_));
+    const bool on = outline_ == Outline::disk ? u * u + v * v <= reach_u * reach_v
+                                              : std::abs(u) <= reach_u && std::abs(v) <= reach_v;
     if (!on) return std::nullopt;
-    return SurfaceHit{t, {0.5 * (u + 1.0), 0.5 * (v + 1.0)}};
+    return DVec2(0.5 * (u + 1.0), 0.5 * (v + 1.0));
+}
+
+Mesh OpenSurface::mesh() const {
+    Mesh mesh;
+    if (outline_ == Outline::disk) {
+        constexpr int corners = 256;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2.0 * pi * i / corners;
+            mesh.vertices.push_back(center_ + std::cos(angle) * half_u_ + std::sin(angle) * half_v_);
+        }
+    } else {
+        mesh.vertices = {center_ - half_u_ - half_v_, center_ + half_u_ - half_v_, center_ + half_u_ + half_v_,
+                         center_ - half_u_ + half_v_};
+    }
+    // Counter-clockwise seen from the side of the normal, whatever the handedness of the transform.
+    if (dot(cross(half_u_, half_v_), plane_.normal) < 0.0) std::reverse(mesh.vertices.begin(), mesh.vertices.end());
+    for (std::uint32_t i = 2; i < mesh.vertices.size(); ++i) mesh.triangles.push_back({0, i - 1, i});
+    mesh.facet_of_triangle.assign(mesh.triangles.size(), 0);
+    mesh.facets = {plane_};
+    return mesh;
 }
 
 double OpenSurface::area() const {

@@ -28,6 +28,12 @@ public:
     /// a straight ray cannot meet again; otherwise -1. The boundary belongs to the surface.
     std::optional<SurfaceHit> hit(const DVec3& o, const DVec3& d, int skip) const;
 
+    /// Where on the surface a point of its plane lies; nothing if it is outside the outline by more than `margin`.
+    std::optional<DVec2> uv_at(const DVec3& p, double margin) const;
+
+    /// The surface as one facet. A disk is the polygon of 256 of its points: at most 8e-5 of its radius inside it.
+    Mesh mesh() const;
+
     /// Unit normal: the image of object +z, whatever the handedness of the transform.
     const Plane& plane() const { return plane_; }
     double area() const;

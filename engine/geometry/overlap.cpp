@@ -20,15 +20,6 @@ double length(const DVec3& v) {
     return std::sqrt(length2(v));
 }
 
-double size_of(const SolidRef& solid) {
-    return std::visit(Overloaded{
-                          [](const HalfSpaceSolid* s) { return s->radius(); },
-                          [](const Sphere* s) { return s->radius; },
-                          [](const Mesh* m) { return mesh_size(*m); },
-                      },
-                      solid);
-}
-
 const Mesh* mesh_of(const SolidRef& solid) {
     return std::visit(Overloaded{
                           [](const HalfSpaceSolid* s) { return &s->mesh(); },
@@ -86,7 +77,12 @@ std::vector<DVec3> edge_directions(const Mesh& mesh) {
     return directions;
 }
 
-Arrangement convex_pair(const HalfSpaceSolid& a, const HalfSpaceSolid& b, double tolerance) {
+double slack_of(const Sphere& s) {
+    return rounding_share * (s.radius + std::max({std::abs(s.center.x), std::abs(s.center.y), std::abs(s.center.z)}));
+}
+
+Arrangement convex_pair(const HalfSpaceSolid& a, const HalfSpaceSolid& b) {
+    const double tolerance = a.slack() + b.slack();
     if (length(a.center() - b.center()) > a.radius() + b.radius() + tolerance) return Arrangement::disjoint;
     if (all_within(a, b.vertices(), tolerance)) return Arrangement::a_contains_b;
     if (all_within(b, a.vertices(), tolerance)) return Arrangement::b_contains_a;
@@ -107,7 +103,8 @@ Arrangement convex_pair(const HalfSpaceSolid& a, const HalfSpaceSolid& b, double
     return gap >= -tolerance ? Arrangement::touching : Arrangement::overlapping;
 }
 
-Arrangement sphere_pair(const Sphere& a, const Sphere& b, double tolerance) {
+Arrangement sphere_pair(const Sphere& a, const Sphere& b) {
+    const double tolerance = slack_of(a) + slack_of(b);
     const double distance = length(a.center - b.center);
     if (distance + b.radius <= a.radius + tolerance) return Arrangement::a_contains_b;
     if (distance + a.radius <= b.radius + tolerance) return Arrangement::b_contains_a;
@@ -115,33 +112,37 @@ Arrangement sphere_pair(const Sphere& a, const Sphere& b, double tolerance) {
     return distance >= a.radius + b.radius - tolerance ? Arrangement::touching : Arrangement::overlapping;
 }
 
-Arrangement sphere_and_mesh(const Sphere& a, const Mesh& b, double tolerance) {
+Arrangement sphere_and_mesh(const Sphere& a, const Mesh& b) {
     double farthest = 0.0;
     for (const DVec3& p : b.vertices) farthest = std::max(farthest, length(p - a.center));
-    if (farthest <= a.radius + tolerance) return Arrangement::a_contains_b;
-    double nearest = infinity;
-    for (const auto& v : b.triangles) {
-        nearest = std::min(
-            nearest,
-            length(closest_on_triangle(b.vertices[v[0]], b.vertices[v[1]], b.vertices[v[2]], a.center) - a.center));
+    if (farthest <= a.radius + slack_of(a) + slack(b)) return Arrangement::a_contains_b;
+    bool touching = false;
+    for (std::size_t t = 0; t < b.triangles.size(); ++t) {
+        const auto& v = b.triangles[t];
+        const DVec3 nearest = closest_on_triangle(b.vertices[v[0]], b.vertices[v[1]], b.vertices[v[2]], a.center);
+        const double gap = length(nearest - a.center) - a.radius;
+        const double tolerance = slack_of(a) + slack(b, t);
+        if (gap < -tolerance) return Arrangement::overlapping;
+        touching = touching || gap <= tolerance;
     }
-    if (nearest < a.radius - tolerance) return Arrangement::overlapping;
     if (encloses(b, a.center)) return Arrangement::b_contains_a;
-    return nearest > a.radius + tolerance ? Arrangement::disjoint : Arrangement::touching;
+    return touching ? Arrangement::touching : Arrangement::disjoint;
 }
 
 struct Corners {
     DVec3 a, b, c, low, high;
+    double slack = 0.0;
 };
 
 std::vector<Corners> corners_of(const Mesh& mesh) {
     std::vector<Corners> all;
     all.reserve(mesh.triangles.size());
-    for (const auto& v : mesh.triangles) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& v = mesh.triangles[t];
         const DVec3& a = mesh.vertices[v[0]];
         const DVec3& b = mesh.vertices[v[1]];
         const DVec3& c = mesh.vertices[v[2]];
-        all.push_back({a, b, c, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
+        all.push_back({a, b, c, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), slack(mesh, t)});
     }
     return all;
 }
@@ -170,26 +171,31 @@ struct Inner {
     bool some_out = false;  // outside it
 };
 
-Inner inner_points(const Mesh& mesh, const Mesh& other, double depth) {
+// Deep enough to be off a common boundary, shallow enough to stay inside; thinner parts are not resolved.
+Inner inner_points(const Mesh& mesh, const Mesh& other) {
     Inner seen;
+    const double slack_of_other = slack(other);
     for (std::size_t t = 0; t < mesh.triangles.size() && !(seen.some_in && seen.some_out); ++t) {
         const auto& v = mesh.triangles[t];
         const DVec3 middle = (mesh.vertices[v[0]] + mesh.vertices[v[1]] + mesh.vertices[v[2]]) / 3.0;
         const DVec3 normal =
             unit(cross(mesh.vertices[v[1]] - mesh.vertices[v[0]], mesh.vertices[v[2]] - mesh.vertices[v[0]]));
+        const double depth = 1e3 * (slack(mesh, t) + slack_of_other);
         (encloses(other, middle - depth * normal) ? seen.some_in : seen.some_out) = true;
     }
     return seen;
 }
 
-Arrangement mesh_pair(const Mesh& a, const Mesh& b, double tolerance) {
+Arrangement mesh_pair(const Mesh& a, const Mesh& b) {
     const std::vector<Corners> triangles_a = corners_of(a);
     std::vector<Corners> triangles_b = corners_of(b);
     std::sort(triangles_b.begin(), triangles_b.end(), [](const auto& s, const auto& t) { return s.low.x < t.low.x; });
+    const double slack_of_b = slack(b);
     bool near = false;
     for (const Corners& s : triangles_a) {
         for (const Corners& t : triangles_b) {
-            if (t.low.x > s.high.x + tolerance) break;
+            if (t.low.x > s.high.x + s.slack + slack_of_b) break;
+            const double tolerance = s.slack + t.slack;
             const DVec3 between = glm::max(s.low - t.high, t.low - s.high);
             if (std::max({between.x, between.y, between.z}) > tolerance) continue;
             if (pierces(s, t, tolerance) || pierces(t, s, tolerance)) return Arrangement::overlapping;
@@ -200,38 +206,48 @@ Arrangement mesh_pair(const Mesh& a, const Mesh& b, double tolerance) {
                    touches(t.b, s) || touches(t.c, s);
         }
     }
-    // Deep enough to be off a common boundary, shallow enough to stay inside; thinner parts are not resolved.
-    const double depth = 1e3 * tolerance;
-    const Inner of_b = inner_points(b, a, depth);
+    const Inner of_b = inner_points(b, a);
     if (!of_b.some_out) return Arrangement::a_contains_b;
-    const Inner of_a = inner_points(a, b, depth);
+    const Inner of_a = inner_points(a, b);
     if (!of_a.some_out) return Arrangement::b_contains_a;
-    if (of_a.some_in || of_b.some_in || !flush_facets(a, b, tolerance, Facing::same).empty()) {
-        return Arrangement::overlapping;
-    }
+    if (of_a.some_in || of_b.some_in || !flush_facets(a, b, Facing::same).empty()) return Arrangement::overlapping;
     return near ? Arrangement::touching : Arrangement::disjoint;
 }
 
 }  // namespace
 
-Arrangement arrangement(const SolidRef& a, const SolidRef& b, double tolerance) {
-    const double distance = tolerance * std::max(size_of(a), size_of(b));
-    const auto* sphere_a = std::get_if<const Sphere*>(&a);
-    const auto* sphere_b = std::get_if<const Sphere*>(&b);
-    if (sphere_a != nullptr && sphere_b != nullptr) return sphere_pair(**sphere_a, **sphere_b, distance);
-    if (sphere_a != nullptr) return sphere_and_mesh(**sphere_a, *mesh_of(b), distance);
-    if (sphere_b != nullptr) return swapped(sphere_and_mesh(**sphere_b, *mesh_of(a), distance));
-    const auto* convex_a = std::get_if<const HalfSpaceSolid*>(&a);
-    const auto* convex_b = std::get_if<const HalfSpaceSolid*>(&b);
-    if (convex_a != nullptr && convex_b != nullptr) return convex_pair(**convex_a, **convex_b, distance);
-    return mesh_pair(*mesh_of(a), *mesh_of(b), distance);
+double slack(const SolidRef& solid) {
+    return std::visit(Overloaded{
+                          [](const HalfSpaceSolid* s) { return s->slack(); },
+                          [](const Sphere* s) { return slack_of(*s); },
+                          [](const Mesh* m) { return slack(*m); },
+                      },
+                      solid);
 }
 
-std::vector<FacetPair> touching_facets(const SolidRef& a, const SolidRef& b, double tolerance) {
+Arrangement arrangement(const SolidRef& a, const SolidRef& b) {
+    const auto* sphere_a = std::get_if<const Sphere*>(&a);
+    const auto* sphere_b = std::get_if<const Sphere*>(&b);
+    if (sphere_a != nullptr && sphere_b != nullptr) return sphere_pair(**sphere_a, **sphere_b);
+    if (sphere_a != nullptr) return sphere_and_mesh(**sphere_a, *mesh_of(b));
+    if (sphere_b != nullptr) return swapped(sphere_and_mesh(**sphere_b, *mesh_of(a)));
+    const auto* convex_a = std::get_if<const HalfSpaceSolid*>(&a);
+    const auto* convex_b = std::get_if<const HalfSpaceSolid*>(&b);
+    if (convex_a != nullptr && convex_b != nullptr) return convex_pair(**convex_a, **convex_b);
+    return mesh_pair(*mesh_of(a), *mesh_of(b));
+}
+
+std::vector<FacetPair> common_facets(const SolidRef& a, const SolidRef& b, Facing facing) {
     const Mesh* mesh_a = mesh_of(a);
     const Mesh* mesh_b = mesh_of(b);
-    if (mesh_a == nullptr || mesh_b == nullptr) return {};
-    return flush_facets(*mesh_a, *mesh_b, tolerance * std::max(size_of(a), size_of(b)), Facing::opposite);
+    if (mesh_a != nullptr && mesh_b != nullptr) return flush_facets(*mesh_a, *mesh_b, facing);
+    const auto* sphere_a = std::get_if<const Sphere*>(&a);
+    const auto* sphere_b = std::get_if<const Sphere*>(&b);
+    if (sphere_a == nullptr || sphere_b == nullptr || facing == Facing::opposite) return {};
+    const double distance = slack(a) + slack(b);
+    const bool equal = length((*sphere_a)->center - (*sphere_b)->center) <= distance &&
+                       std::abs((*sphere_a)->radius - (*sphere_b)->radius) <= distance;
+    return equal ? std::vector<FacetPair>{{0, 0, distance}} : std::vector<FacetPair>{};
 }
 
 }  // namespace pol

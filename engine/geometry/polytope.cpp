@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geometry/complaint.h"
+#include "geometry/mesh_check.h"
 
 namespace pol {
 namespace {
@@ -114,9 +115,9 @@ Result<Mesh> mesh_from_planes(std::span<const Plane> planes) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    // Where more than three planes meet, rounding makes several corners of one: 1e-9 is far above rounding and far
-    // below any edge that could be seen.
-    const double tolerance = 1e-9 * glm::length(high - low);
+    // Where more than three planes meet, rounding makes several corners of one: 1e-11 of the size is far above rounding
+    // about the origin, and below the thickness of any film.
+    const double tolerance = 1e-11 * glm::length(high - low) + rounding_share * reach;
 
     Mesh mesh;
     mesh.facets.assign(planes.begin(), planes.end());
@@ -137,7 +138,10 @@ Result<Mesh> mesh_from_planes(std::span<const Plane> planes) {
             const auto v = static_cast<std::uint32_t>(vertex_at(corner.at));
             if (std::find(ring.begin(), ring.end(), v) == ring.end()) ring.push_back(v);
         }
-        if (ring.size() < 3) return bad_planes("plane " + std::to_string(i) + " has no face on the solid");
+        if (ring.size() < 3) {
+            return bad_planes("plane " + std::to_string(i) +
+                              " has no face on the solid, or a narrower one than 1e-11 of its size");
+        }
         for (std::size_t k = 2; k < ring.size(); ++k) {
             mesh.triangles.push_back({ring[0], ring[k - 1], ring[k]});
             mesh.facet_of_triangle.push_back(static_cast<std::uint32_t>(i));

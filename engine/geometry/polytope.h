@@ -9,8 +9,9 @@
 namespace pol {
 
 /// Closed mesh of the convex solid { x : dot(normal_i, x) <= offset_i for all i }; facet i is planes[i], as given.
-/// Each vertex is the least-squares intersection of all planes within 1e-9 of the size from it (usually exactly three).
-/// Requires: unit normals. Error if the planes leave the solid unbounded or empty, or if some plane has no face on it.
+/// Each vertex is the least-squares intersection of all planes within 1e-11 of the size from it (usually exactly
+/// three). Requires: unit normals. Error if the planes leave the solid unbounded or empty, or if some plane has no face
+/// on it.
 Result<Mesh> mesh_from_planes(std::span<const Plane> planes);
 
 }  // namespace pol

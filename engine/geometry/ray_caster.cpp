@@ -12,12 +12,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "geometry/complaint.h"
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_pieces.h"
 #include "geometry/watertight.h"
 
 namespace pol {
@@ -49,7 +51,7 @@ struct Solid {
     bool closed = false;
     double slack = 0.0;                     // how far the surface may be from its planes, rounding included
     std::vector<char> flat;                 // per facet: its plane goes through its corners to rounding
-    std::vector<double> lowest_height;      // per triangle
+    std::vector<double> lowest_height;      // per triangle, in the units of its Embree scene
     std::vector<std::uint32_t> ring_start;  // per vertex: where its triangles start in `ring`
     std::vector<std::uint32_t> ring;
 
@@ -58,16 +60,10 @@ struct Solid {
     }
 };
 
-double largest_coordinate(const std::vector<Mesh>& meshes) {
-    double largest = 0.0;
-    for (const Mesh& mesh : meshes) {
-        for (const DVec3& p : mesh.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    }
-    return largest;
-}
-
-Solid prepared(Mesh mesh, double largest) {
+Solid prepared(Mesh mesh) {
     Solid s;
+    double largest = 0.0;
+    for (const DVec3& p : mesh.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     s.closed = static_cast<bool>(check_closed(mesh));
     s.flat.assign(mesh.facets.size(), 1);
     s.ring_start.assign(mesh.vertices.size() + 1, 0);
@@ -241,12 +237,29 @@ void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
 }
 #endif
 
+// Triangles of one mesh in an Embree scene, by Embree's number; empty: all, in their own order.
+struct Geometry {
+    std::size_t mesh = 0;
+    std::vector<std::uint32_t> triangles;
+
+    std::size_t triangle(std::size_t primitive) const { return triangles.empty() ? primitive : triangles[primitive]; }
+};
+
+// Pieces of like size near each other, in an Embree scene of their own: float has no digits left for what is small
+// against its scene.
+struct Cluster {
+    DVec3 center{};
+    double scale = 1.0;  // world -> Embree lengths
+    std::vector<Geometry> geometries;
+    std::unique_ptr<RTCSceneTy, SceneDeleter> scene;
+};
+
 // Embree hands the context back to the filter; it must come first.
 struct EmbreeQuery {
     QueryContext context{};
     Query* query = nullptr;
     const std::vector<Solid>* solids = nullptr;
-    double scale = 1.0;     // world -> Embree lengths
+    const Cluster* cluster = nullptr;
     double speed = 1.0;     // Embree length per unit of t
     double start = 0.0;     // t at Embree's ray origin
     float farthest = 0.0F;  // current end of Embree's ray
@@ -256,8 +269,9 @@ struct EmbreeQuery {
 // the way to shorten (Embree restores the end of the ray for refused ones); its own idea of the hit is never read.
 void consider(const RTCFilterFunctionNArguments* args) {
     auto& e = *reinterpret_cast<EmbreeQuery*>(args->context);
-    const std::size_t mesh = RTCHitN_geomID(args->hit, args->N, 0);
-    const std::size_t triangle = RTCHitN_primID(args->hit, args->N, 0);
+    const Geometry& geometry = e.cluster->geometries[RTCHitN_geomID(args->hit, args->N, 0)];
+    const std::size_t mesh = geometry.mesh;
+    const std::size_t triangle = geometry.triangle(RTCHitN_primID(args->hit, args->N, 0));
     const Solid& solid = (*e.solids)[mesh];
     const auto crossing = e.query->offer(mesh, triangle);
     const DVec3 normal{RTCHitN_Ng_x(args->hit, args->N, 0), RTCHitN_Ng_y(args->hit, args->N, 0),
@@ -265,8 +279,7 @@ void consider(const RTCFilterFunctionNArguments* args) {
     const DVec3 direction{RTCRayN_dir_x(args->ray, args->N, 0), RTCRayN_dir_y(args->ray, args->N, 0),
                           RTCRayN_dir_z(args->ray, args->N, 0)};
     const double slope = std::abs(dot(normal, direction)) / std::sqrt(length2(normal));
-    const bool well_inside =
-        crossing && crossing->low_weight * solid.lowest_height[triangle] * e.scale * slope > edge_margin;
+    const bool well_inside = crossing && crossing->low_weight * solid.lowest_height[triangle] * slope > edge_margin;
     if (!well_inside) e.query->offer_with_neighbors(mesh, triangle);
 
     args->valid[0] = 0;
@@ -290,39 +303,18 @@ bool must_hit(const std::vector<Solid>& solids, std::span<const LeftFacet> left,
 
 struct RayCaster::Impl {
     std::vector<Solid> solids;
-    DVec3 center{};
-    double scale = 1.0;
     std::unique_ptr<RTCDeviceTy, DeviceDeleter> device;
-    std::unique_ptr<RTCSceneTy, SceneDeleter> scene;
+    std::vector<Cluster> clusters;
 
-    Result<Done> fill_scene();
-    void ask_embree(Query& query, const DVec3& o, const DVec3& d) const;
+    Result<Done> fill_scenes();
+    void fill_scene(Cluster& cluster) const;
+    void ask_embree(const Cluster& cluster, Query& query, const DVec3& o, const DVec3& d) const;
 };
 
-Result<Done> RayCaster::Impl::fill_scene() {
+Result<Done> RayCaster::Impl::fill_scenes() {
     device.reset(rtcNewDevice("threads=1"));
     if (!device) return complaint("", "Embree does not start on this machine", "it needs SSE2 and memory");
-    scene.reset(rtcNewScene(device.get()));
-    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const Mesh& mesh = solids[i].mesh;
-        RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles.size()));
-        if (vertices != nullptr && indices != nullptr) {
-            for (const DVec3& p : mesh.vertices) {
-                for (int axis = 0; axis < 3; ++axis) *vertices++ = to_float((p[axis] - center[axis]) * scale);
-            }
-            for (const auto& triangle : mesh.triangles) indices = std::copy(triangle.begin(), triangle.end(), indices);
-            rtcSetGeometryIntersectFilterFunction(geometry, consider);
-            rtcCommitGeometry(geometry);
-            rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
-        }
-        rtcReleaseGeometry(geometry);
-    }
-    rtcCommitScene(scene.get());
+    for (Cluster& cluster : clusters) fill_scene(cluster);
     if (const RTCError code = rtcGetDeviceError(device.get()); code != RTC_ERROR_NONE) {
         return complaint("", "Embree cannot build its scene (error " + std::to_string(code) + ")",
                          "the meshes may need more memory than there is");
@@ -330,9 +322,42 @@ Result<Done> RayCaster::Impl::fill_scene() {
     return Done{};
 }
 
-void RayCaster::Impl::ask_embree(Query& query, const DVec3& o, const DVec3& d) const {
+void RayCaster::Impl::fill_scene(Cluster& cluster) const {
+    cluster.scene.reset(rtcNewScene(device.get()));
+    RTCScene scene = cluster.scene.get();
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    for (std::size_t i = 0; i < cluster.geometries.size(); ++i) {
+        const Geometry& part = cluster.geometries[i];
+        const Mesh& mesh = solids[part.mesh].mesh;
+        const std::size_t count = part.triangles.empty() ? mesh.triangles.size() : part.triangles.size();
+        RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
+        if (vertices != nullptr && indices != nullptr) {
+            for (const DVec3& p : mesh.vertices) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    *vertices++ = to_float((p[axis] - cluster.center[axis]) * cluster.scale);
+                }
+            }
+            for (std::size_t k = 0; k < count; ++k) {
+                const auto& triangle = mesh.triangles[part.triangle(k)];
+                indices = std::copy(triangle.begin(), triangle.end(), indices);
+            }
+            rtcSetGeometryIntersectFilterFunction(geometry, consider);
+            rtcCommitGeometry(geometry);
+            rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(i));
+        }
+        rtcReleaseGeometry(geometry);
+    }
+    rtcCommitScene(scene);
+}
+
+void RayCaster::Impl::ask_embree(const Cluster& cluster, Query& query, const DVec3& o, const DVec3& d) const {
     // The chord of the ray inside the scene's ball, in double: float sees only numbers of order 1.
-    const DVec3 from = (o - center) * scale;
+    const double scale = cluster.scale;
+    const DVec3 from = (o - cluster.center) * scale;
     const double speed = scale * std::sqrt(length2(d));
     const DVec3 direction = d * (scale / speed);
     const double middle = -dot(from, direction);
@@ -347,7 +372,7 @@ void RayCaster::Impl::ask_embree(Query& query, const DVec3& o, const DVec3& d) c
     EmbreeQuery e;
     e.query = &query;
     e.solids = &solids;
-    e.scale = scale;
+    e.cluster = &cluster;
     e.speed = speed;
     e.start = begin / speed;
     e.farthest = to_float(end - begin + reach_margin);
@@ -366,7 +391,7 @@ void RayCaster::Impl::ask_embree(Query& query, const DVec3& o, const DVec3& d) c
                .flags = 0};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    intersect(scene.get(), e.context, ray);
+    intersect(cluster.scene.get(), e.context, ray);
 }
 
 RayCaster::RayCaster(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -374,28 +399,97 @@ RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 RayCaster::~RayCaster() = default;
 
+namespace {
+
+// Connected triangles of one mesh. Several of them make a cluster.
+struct Piece {
+    std::size_t mesh = 0;
+    std::vector<std::uint32_t> triangles;
+    DVec3 low{infinity};
+    DVec3 high{-infinity};
+
+    double radius() const { return 0.5 * glm::length(high - low); }
+};
+
+std::vector<Piece> pieces_of(const std::vector<Solid>& solids) {
+    std::vector<Piece> pieces;
+    for (std::size_t m = 0; m < solids.size(); ++m) {
+        const Mesh& mesh = solids[m].mesh;
+        const std::vector<std::uint32_t> piece_of_vertex = pol::pieces_of(mesh.vertices, mesh.triangles);
+        const std::size_t first = pieces.size();
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            const std::size_t index = first + piece_of_vertex[mesh.triangles[t][0]];
+            if (index >= pieces.size()) pieces.resize(index + 1);
+            Piece& piece = pieces[index];
+            piece.mesh = m;
+            piece.triangles.push_back(t);
+            for (const std::uint32_t v : mesh.triangles[t]) {
+                piece.low = glm::min(piece.low, mesh.vertices[v]);
+                piece.high = glm::max(piece.high, mesh.vertices[v]);
+            }
+        }
+    }
+    std::erase_if(pieces, [](const Piece& p) { return p.triangles.empty(); });  // of vertices that no triangle uses
+    return pieces;
+}
+
+// Largest first, each to the first cluster that stays within a thousand of its own radius: there a float is off by no
+// more than 6e-5 of it.
+std::vector<Cluster> clusters_of(std::vector<Solid>& solids) {
+    constexpr double most = 1e3;
+    std::vector<Piece> pieces = pieces_of(solids);
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const Piece& a, const Piece& b) { return a.radius() > b.radius(); });
+    struct Group {
+        Piece bounds;
+        std::map<std::size_t, std::vector<std::uint32_t>> triangles;  // by mesh
+    };
+    std::vector<Group> groups;
+    for (const Piece& piece : pieces) {
+        const auto joined = [&](const Piece& bounds) {
+            return Piece{0, {}, glm::min(bounds.low, piece.low), glm::max(bounds.high, piece.high)};
+        };
+        auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&](const Group& g) { return joined(g.bounds).radius() <= most * piece.radius(); });
+        if (group == groups.end()) {
+            groups.emplace_back();
+            group = std::prev(groups.end());
+        }
+        group->bounds = joined(group->bounds);
+        auto& triangles = group->triangles[piece.mesh];
+        triangles.insert(triangles.end(), piece.triangles.begin(), piece.triangles.end());
+    }
+    std::vector<Cluster> clusters;
+    for (Group& group : groups) {
+        Cluster& cluster = clusters.emplace_back();
+        cluster.center = 0.5 * (group.bounds.low + group.bounds.high);
+        cluster.scale = 1.0 / group.bounds.radius();
+        for (auto& [m, triangles] : group.triangles) {
+            for (const std::uint32_t t : triangles) solids[m].lowest_height[t] *= cluster.scale;
+            if (triangles.size() == solids[m].mesh.triangles.size()) triangles.clear();
+            cluster.geometries.push_back({m, std::move(triangles)});
+        }
+    }
+    return clusters;
+}
+
+}  // namespace
+
 Result<RayCaster> RayCaster::build(std::vector<Mesh> meshes) {
-    DVec3 low(infinity);
-    DVec3 high = -low;
+    std::size_t triangles = 0;
     for (const Mesh& mesh : meshes) {
+        triangles += mesh.triangles.size();
         for (const DVec3& p : mesh.vertices) {
             if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
                 return complaint("", "a mesh vertex is not finite", "check the file and the transform");
             }
-            low = glm::min(low, p);
-            high = glm::max(high, p);
         }
     }
-    const double radius = 0.5 * glm::length(high - low);
-    if (!(radius > 0.0) || !std::isfinite(radius)) {
-        return complaint("", "the meshes have no extent", "a ray caster needs at least one triangle");
-    }
+    if (triangles == 0) return complaint("", "the meshes have no extent", "a ray caster needs at least one triangle");
     auto impl = std::make_unique<Impl>();
-    const double largest = largest_coordinate(meshes);
-    for (Mesh& mesh : meshes) impl->solids.push_back(prepared(std::move(mesh), largest));
-    impl->center = 0.5 * (low + high);
-    impl->scale = 1.0 / radius;
-    if (const Result<Done> filled = impl->fill_scene(); !filled) return filled.error();
+    for (Mesh& mesh : meshes) impl->solids.push_back(prepared(std::move(mesh)));
+    impl->clusters = clusters_of(impl->solids);
+    if (const Result<Done> filled = impl->fill_scenes(); !filled) return filled.error();
     return RayCaster(std::move(impl));
 }
 
@@ -410,12 +504,12 @@ std::optional<MeshHit> RayCaster::nearest(const DVec3& o, const DVec3& d, std::s
         const auto& v = solid.mesh.triangles[triangle];
         const WatertightRay down(o, solid.mesh.facets[static_cast<std::size_t>(l.facet)].normal);
         const auto foot = down.cross(solid.mesh.vertices[v[0]], solid.mesh.vertices[v[1]], solid.mesh.vertices[v[2]]);
-        const bool well_inside = foot && foot->low_weight * solid.lowest_height[triangle] * impl_->scale > reach_margin;
+        const bool well_inside = foot && foot->low_weight * solid.lowest_height[triangle] > reach_margin;
         if (well_inside) continue;
         query.offer_with_neighbors(mesh, triangle);
         query.offer_planes_beside(l);
     }
-    impl_->ask_embree(query, o, d);
+    for (const Cluster& cluster : impl_->clusters) impl_->ask_embree(cluster, query, o, d);
     if (query.missed_something() || (!query.best() && must_hit(impl_->solids, left, d))) query.offer_all();
     if (!query.best()) return std::nullopt;
 

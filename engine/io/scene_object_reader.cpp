@@ -260,7 +260,7 @@ Emission read_emission(const YamlValue& value, const AssetFolders& folders) {
 
 Object read_object(const YamlValue& value, const AssetFolders& folders) {
     const YamlMap map =
-        value.map({"name", "shape", "transform", "medium", "emission", "sheet", "absorber", "priority"});
+        value.map({"name", "shape", "transform", "medium", "emission", "sheet", "absorber", "priority", "black"});
     Object object;
     object.place = value.place();
     object.name = map.at("name").text();
@@ -283,6 +283,11 @@ Object read_object(const YamlValue& value, const AssetFolders& folders) {
         object.role = Absorber{};
     }
     if (const auto priority = map.find("priority")) object.priority = priority->whole();
+    if (const auto black = map.find("black")) {
+        auto* solid = std::get_if<FilledWith>(&object.role);
+        if (solid == nullptr) black->fail("only an object with a medium has faces to blacken", "leave it out");
+        for (const YamlValue& direction : black->list()) solid->black_faces.push_back(direction.vec3());
+    }
     return object;
 }
 

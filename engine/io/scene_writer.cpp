@@ -213,9 +213,15 @@ std::string emission_text(const Emission& emission) {
            ", two_sided: " + (emission.two_sided ? "on" : "off") + "}";
 }
 
+std::string black_text(const std::vector<DVec3>& faces) {
+    std::vector<std::string> directions;
+    for (const DVec3& face : faces) directions.push_back(vec_text(face));
+    return faces.empty() ? "" : "\n    black: " + list_text(directions);
+}
+
 std::string role_text(const Role& role) {
     return std::visit(Overloaded{
-                          [](const FilledWith& r) { return "medium: " + quoted(r.medium); },
+                          [](const FilledWith& r) { return "medium: " + quoted(r.medium) + black_text(r.black_faces); },
                           [](const Emission& r) { return "emission: " + emission_text(r); },
                           [](const Sheet& r) { return "sheet: " + sheet_text(r); },
                           [](const Absorber&) { return std::string("absorber: on"); },

@@ -2,8 +2,6 @@
 #include "plan/arrangement.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,31 +9,14 @@
 #include "core/overloaded.h"
 #include "geometry/overlap.h"
 #include "plan/compile_media.h"
+#include "plan/covers.h"
+#include "plan/reach.h"
 
 namespace pol {
 
 namespace {
 
 using Relations = std::vector<std::vector<Arrangement>>;
-
-SolidRef ref(const Solid& solid) {
-    return std::visit(Overloaded{
-                          [](const HalfSpaceSolid& s) -> SolidRef { return &s; },
-                          [](const Sphere& s) -> SolidRef { return &s; },
-                          [](const MeshBody& s) -> SolidRef { return &s.mesh; },
-                      },
-                      solid.shape);
-}
-
-const std::vector<Plane>& facets(const Solid& solid) {
-    static const std::vector<Plane> none;
-    return std::visit(Overloaded{
-                          [](const HalfSpaceSolid& s) -> const std::vector<Plane>& { return s.mesh().facets; },
-                          [](const Sphere&) -> const std::vector<Plane>& { return none; },
-                          [](const MeshBody& s) -> const std::vector<Plane>& { return s.mesh.facets; },
-                      },
-                      solid.shape);
-}
 
 bool share_volume(Arrangement a) {
     return a == Arrangement::a_contains_b || a == Arrangement::b_contains_a || a == Arrangement::overlapping;
@@ -58,131 +39,36 @@ Error overlap_error(const Scene& scene, const Solid& a, const Solid& b) {
                      scene, b.object);
 }
 
-void add_contact(Plan& plan, int solid, int facet, const Contact& contact) {
-    Solid& s = plan.solids[static_cast<std::size_t>(solid)];
-    if (s.contacts.empty()) s.contacts.resize(facets(s).size());
-    s.contacts[static_cast<std::size_t>(facet)].push_back(contact);
-}
-
-/// Facets that lie in one plane and look the same way: a nested solid whose face is part of its host's face.
-std::vector<FacetPair> flush_facets(const Solid& a, const Solid& b, double margin) {
-    std::vector<FacetPair> pairs;
-    for (std::size_t i = 0; i < facets(a).size(); ++i)
-        for (std::size_t j = 0; j < facets(b).size(); ++j) {
-            const Plane& p = facets(a)[i];
-            const Plane& q = facets(b)[j];
-            if (length2(p.normal - q.normal) < 1e-18 && std::abs(p.offset - q.offset) <= margin)
-                pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
-        }
-    return pairs;
-}
-
 Result<Relations> relate(const Scene& scene, Plan& plan) {
     const int count = plan.solid_count();
     Relations relations(static_cast<std::size_t>(count),
                         std::vector<Arrangement>(static_cast<std::size_t>(count), Arrangement::disjoint));
     for (int a = 0; a < count; ++a) {
         for (int b = a + 1; b < count; ++b) {
-            const SolidRef ref_a = ref(plan.solid(a));
-            const SolidRef ref_b = ref(plan.solid(b));
+            const SolidRef ref_a = solid_ref(plan.solid(a));
+            const SolidRef ref_b = solid_ref(plan.solid(b));
             const Arrangement ab = arrangement(ref_a, ref_b);
             relations[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] = ab;
             const Arrangement ba = ab == Arrangement::a_contains_b   ? Arrangement::b_contains_a
                                    : ab == Arrangement::b_contains_a ? Arrangement::a_contains_b
                                                                      : ab;
             relations[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)] = ba;
-            if (ab == Arrangement::overlapping &&
-                plan.solid(a).priority.value_or(0) == plan.solid(b).priority.value_or(0))
-                return overlap_error(scene, plan.solid(a), plan.solid(b));
+            const bool equal_rank = plan.solid(a).priority.value_or(0) == plan.solid(b).priority.value_or(0);
+            const bool equal_solids = ab == Arrangement::a_contains_b && arrangement(ref_b, ref_a) == ab;
+            const bool undecided =
+                ab == Arrangement::overlapping || (equal_solids && plan.solid(a).medium != plan.solid(b).medium);
+            if (undecided && equal_rank) return overlap_error(scene, plan.solid(a), plan.solid(b));
             if (ab == Arrangement::disjoint) continue;
             const bool flush = share_volume(ab);
-            const auto pairs = flush ? flush_facets(plan.solid(a), plan.solid(b), 1e-9 * plan.length_scale)
-                                     : touching_facets(ref_a, ref_b);
-            for (const FacetPair& pair : pairs) {
-                add_contact(plan, a, pair.a, {b, pair.b, flush});
-                add_contact(plan, b, pair.b, {a, pair.a, flush});
+            for (const FacetPair& pair : common_facets(ref_a, ref_b, flush ? Facing::same : Facing::opposite)) {
+                add_contact(plan.solids[static_cast<std::size_t>(a)], &Solid::contacts, pair.a,
+                            {b, pair.b, flush, pair.distance});
+                add_contact(plan.solids[static_cast<std::size_t>(b)], &Solid::contacts, pair.b,
+                            {a, pair.a, flush, pair.distance});
             }
         }
     }
     return relations;
-}
-
-/// Points whose convex hull holds the surface, widened by a radius.
-struct Hull {
-    std::vector<DVec3> points;
-    double radius = 0.0;
-};
-
-Hull hull_of(const Surface& surface) {
-    return std::visit(Overloaded{
-                          [](const OpenSurface& s) {
-                              const DVec3& c = s.center();
-                              const DVec3& u = s.half_u();
-                              const DVec3& v = s.half_v();
-                              return Hull{{c + u + v, c + u - v, c - u + v, c - u - v}, 0.0};
-                          },
-                          [](const HalfSpaceSolid& s) {
-                              return Hull{s.vertices(), 0.0};
-                          },
-                          [](const Sphere& s) {
-                              return Hull{{s.center}, s.radius};
-                          },
-                          [](const MeshBody& s) {
-                              return Hull{s.mesh.vertices, 0.0};
-                          },
-                      },
-                      surface.shape);
-}
-
-/// True if the whole solid lies on one side of the plane; touching it counts as beside.
-bool beside(const Plane& plane, const Solid& solid, double margin) {
-    const auto one_side = [&](const std::vector<DVec3>& points) {
-        double low = std::numeric_limits<double>::infinity();
-        double high = -low;
-        for (const DVec3& p : points) {
-            const double height = dot(plane.normal, p) - plane.offset;
-            low = std::min(low, height);
-            high = std::max(high, height);
-        }
-        return low >= -margin || high <= margin;
-    };
-    return std::visit(
-        Overloaded{
-            [&](const HalfSpaceSolid& s) { return one_side(s.vertices()); },
-            [&](const Sphere& s) { return std::abs(dot(plane.normal, s.center) - plane.offset) >= s.radius - margin; },
-            [&](const MeshBody& s) { return one_side(s.mesh.vertices); },
-        },
-        solid.shape);
-}
-
-/// True if the surface surely has no point inside the solid. Lying on its boundary is outside.
-bool surely_outside(const Surface& surface, const Hull& hull, const Solid& solid, double margin) {
-    if (const auto* open = std::get_if<OpenSurface>(&surface.shape);
-        open != nullptr && beside(open->plane(), solid, margin))
-        return true;
-    const auto* half_spaces = std::get_if<HalfSpaceSolid>(&solid.shape);
-    if (half_spaces == nullptr) return false;
-    for (int i = 0; i < half_spaces->facet_count(); ++i) {
-        const Plane& plane = half_spaces->plane(i);
-        if (std::all_of(hull.points.begin(), hull.points.end(),
-                        [&](const DVec3& p) { return dot(plane.normal, p) - plane.offset >= hull.radius - margin; }))
-            return true;
-    }
-    return false;
-}
-
-/// True if the surface surely lies wholly inside the solid.
-bool surely_inside(const Hull& hull, const Solid& solid, double margin) {
-    const auto all_in = [&](const auto& shape) {
-        return std::all_of(hull.points.begin(), hull.points.end(),
-                           [&](const DVec3& p) { return shape.contains(p, hull.radius + margin); });
-    };
-    return std::visit(Overloaded{
-                          [&](const HalfSpaceSolid& s) { return all_in(s); },
-                          [&](const Sphere& s) { return all_in(s); },
-                          [](const MeshBody&) { return false; },
-                      },
-                      solid.shape);
 }
 
 bool has(const std::vector<int>& sorted, int value) {
@@ -192,7 +78,7 @@ bool has(const std::vector<int>& sorted, int value) {
 class RegionBuilder {
 public:
     RegionBuilder(const Scene& scene, const Relations& relations, Plan& plan)
-        : scene_(scene), relations_(relations), plan_(plan) {}
+        : scene_(scene), relations_(relations), plan_(plan), reach_(plan.solids) {}
 
     /// All sets of solids that a point can be inside of, reached from outside by crossing one boundary at a time.
     Result<Done> build() {
@@ -267,14 +153,9 @@ private:
             if (region.toggled[static_cast<std::size_t>(solid)] < 0) continue;
             add(solid, plan_.solid(solid).shape, has(region.members, solid) ? region.exits : region.entries);
         }
-        const double margin = 1e-9 * plan_.length_scale;
         for (std::size_t i = 0; i < plan_.surfaces.size(); ++i) {
-            const Hull hull = hull_of(plan_.surfaces[i]);
-            bool here = true;
-            for (int solid = 0; solid < plan_.solid_count() && here; ++solid)
-                here = has(region.members, solid) ? !surely_outside(plan_.surfaces[i], hull, plan_.solid(solid), margin)
-                                                  : !surely_inside(hull, plan_.solid(solid), margin);
-            if (here) add(plan_.solid_count() + static_cast<int>(i), plan_.surfaces[i].shape, region.surfaces);
+            if (reach_.into(region, plan_.surfaces[i].shape))
+                add(plan_.solid_count() + static_cast<int>(i), plan_.surfaces[i].shape, region.surfaces);
         }
         if (meshes.empty()) return Done{};
         for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
@@ -292,39 +173,14 @@ private:
     const Scene& scene_;
     const Relations& relations_;
     Plan& plan_;
+    const Reach reach_;
     std::map<std::vector<int>, int> index_;
 };
-
-/// A sheet in a solid's face would be both inside and outside of it.
-Result<Done> refuse_glued_sheets(const Scene& scene, const Plan& plan) {
-    for (const Surface& surface : plan.surfaces) {
-        const auto* open = std::get_if<OpenSurface>(&surface.shape);
-        if (open == nullptr || !std::holds_alternative<SheetRole>(surface.role)) continue;
-        const double margin = 1e-9 * plan.length_scale;
-        for (const Solid& solid : plan.solids) {
-            for (const Plane& facet : facets(solid)) {
-                const double side = dot(facet.normal, open->plane().normal);
-                if (std::abs(std::abs(side) - 1.0) > 1e-12 ||
-                    std::abs(dot(facet.normal, open->center()) - facet.offset) > margin)
-                    continue;
-                const auto* half_spaces = std::get_if<HalfSpaceSolid>(&solid.shape);
-                if (half_spaces != nullptr && !half_spaces->contains(open->center(), -margin)) continue;
-                return at_object({ErrorKind::input,
-                                  "sheet '" + surface.name + "' lies in a face of '" + solid.name + "'",
-                                  {},
-                                  "transform",
-                                  "leave a small gap between them"},
-                                 scene, surface.object);
-            }
-        }
-    }
-    return Done{};
-}
 
 }  // namespace
 
 Result<Done> arrange(const Scene& scene, Plan& plan) {
-    if (auto done = refuse_glued_sheets(scene, plan); !done) return done.error();
+    if (auto done = find_covers(scene, plan); !done) return done.error();
     const auto relations = relate(scene, plan);
     if (!relations) return relations.error();
     return RegionBuilder(scene, relations.value(), plan).build();

@@ -10,8 +10,9 @@
 
 namespace pol {
 
-/// Fills in Solid::contacts and Plan::regions (all but Region::medium of the ambient region, which is entry 0) from
-/// plan.solids and plan.surfaces. Error: solids that overlap without a priority, a sheet glued to a solid, or Embree.
+/// Fills in Solid::contacts, Solid::covers and Plan::regions (all but Region::medium of the ambient region, which is
+/// entry 0) from plan.solids and plan.surfaces. Error: solids that overlap without a priority, surfaces in one place
+/// (plan/covers.h), or Embree.
 Result<Done> arrange(const Scene& scene, Plan& plan);
 
 }  // namespace pol

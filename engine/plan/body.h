@@ -30,12 +30,14 @@ struct MeshBody {
     bool closed = false;
 };
 
-/// Part of a solid's facet that coincides with a facet of another solid: one interface instead of two.
+/// Part of a solid's facet that coincides with a facet of another body. With a solid: one interface instead of two.
+/// With a lamp or something black: that is what a ray meets there.
 struct Contact {
-    int other_solid = -1;
-    int other_facet = -1;
+    int body = -1;
+    int facet = -1;
     /// True: both look the same way, the nested solid's face is part of its host's. False: they face each other.
     bool flush = false;
+    double margin = 0.0;  ///< how far rounding may have moved the two from each other
 };
 
 /// A solid that is filled with a medium.
@@ -45,7 +47,11 @@ struct Solid {
     int medium = -1;  ///< index into Plan::media
     std::optional<int> priority;
     std::variant<HalfSpaceSolid, Sphere, MeshBody> shape;
-    std::vector<std::vector<Contact>> contacts;  ///< by facet; empty if the solid touches nothing
+    std::vector<std::vector<Contact>> contacts;  ///< with solids, by facet; empty if the solid touches none
+    std::vector<std::vector<Contact>> covers;    ///< with lamps and absorbers, by facet; empty if there are none
+    std::vector<bool> black;                     ///< by facet: it was declared to swallow all light; empty: none
+
+    [[nodiscard]] bool is_black(int facet) const { return !black.empty() && black[static_cast<std::size_t>(facet)]; }
 };
 
 struct EmitterRole {
@@ -56,11 +62,13 @@ struct SheetRole {
 };
 struct AbsorberRole {};
 
+using SurfaceShape = std::variant<OpenSurface, HalfSpaceSolid, Sphere, MeshBody>;
+
 /// A surface that swallows, emits or polarizes.
 struct Surface {
     std::string name;
     int object = -1;
-    std::variant<OpenSurface, HalfSpaceSolid, Sphere, MeshBody> shape;
+    SurfaceShape shape;
     std::variant<EmitterRole, SheetRole, AbsorberRole> role;
 };
 

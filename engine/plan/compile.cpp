@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <string>
 
 #include "core/overloaded.h"
 #include "geometry/mesh_check.h"
@@ -12,10 +14,17 @@
 #include "plan/compile_light.h"
 #include "plan/compile_media.h"
 #include "plan/list_features.h"
+#include "plan/reach.h"
 
 namespace pol {
 
 namespace {
+
+std::string direction_text(const DVec3& d) {
+    char buffer[96];
+    std::snprintf(buffer, sizeof buffer, "[%.6g, %.6g, %.6g]", d.x, d.y, d.z);
+    return buffer;
+}
 
 /// Planes are tested one by one, and whether a mesh is convex takes their number squared. Embree is faster from 2000
 /// on.
@@ -52,6 +61,43 @@ Result<SolidShape> solid_shape(const Object& object, SolidKernel kernel) {
     return from_mesh(mesh.value(), object.to_world, kernel);
 }
 
+/// By facet, as from_mesh() keeps them: whether it looks along one of `directions`, to a milliradian (what three digits
+/// of a direction are good for). Error: a direction that no facet has.
+Result<std::vector<bool>> black_facets(const Shape& shape, const std::vector<DVec3>& directions) {
+    if (directions.empty()) return std::vector<bool>{};
+    const auto refusal = [](std::string what, std::string hint) {
+        return Error{ErrorKind::input, std::move(what), {}, "black", std::move(hint)};
+    };
+    if (std::holds_alternative<SphereShape>(shape))
+        return refusal("a sphere has no flat faces",
+                       "to blacken all of it write 'absorber: on' in place of the medium");
+    std::vector<Plane> facets;
+    if (const auto* file = std::get_if<MeshShape>(&shape)) {
+        facets = file->mesh->facets;
+    } else {
+        auto mesh = make_mesh(shape);
+        if (!mesh) return mesh.error();
+        facets = std::move(mesh.value().facets);
+    }
+    std::vector<bool> black(facets.size(), false);
+    for (const DVec3& given : directions) {
+        const DVec3 direction = unit(given);
+        bool found = false;
+        DVec3 nearest = facets.front().normal;
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            const DVec3& normal = facets[i].normal;
+            if (dot(normal, direction) > dot(nearest, direction)) nearest = normal;
+            if (length2(normal - direction) > 1e-6) continue;
+            black[i] = true;
+            found = true;
+        }
+        if (!found)
+            return refusal("no face looks along " + direction_text(given),
+                           "the nearest one looks along " + direction_text(nearest));
+    }
+    return black;
+}
+
 Result<Done> add_solid(const Scene& scene, const Object& object, int index, const FilledWith& filling,
                        SolidKernel kernel, MediaTable& media, Plan& plan) {
     auto shape = solid_shape(object, kernel);
@@ -65,7 +111,16 @@ Result<Done> add_solid(const Scene& scene, const Object& object, int index, cons
     }
     const auto medium = media.entry(filling.medium, object.to_world);
     if (!medium) return at_object(medium.error(), scene, index);
-    plan.solids.push_back({object.name, index, medium.value(), object.priority, std::move(shape).value(), {}});
+    auto black = black_facets(object.shape, filling.black_faces);
+    if (!black) return at_object(black.error(), scene, index);
+    plan.solids.push_back({object.name,
+                           index,
+                           medium.value(),
+                           object.priority,
+                           std::move(shape).value(),
+                           {},
+                           {},
+                           std::move(black).value()});
     return Done{};
 }
 
@@ -147,25 +202,66 @@ double extent(const Plan& plan) {
     return largest > 0.0 ? largest : 1.0;
 }
 
-/// Region of the camera, -1 if it may differ from pixel to pixel. Error: a medium that no camera can stand in.
+bool is_isotropic(const Plan& plan, int region) {
+    const auto medium = static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium);
+    return plan.groups[0].media[medium].dielectric.kind == MediumKind::isotropic;
+}
+
+/// The rectangle that the rays of an orthographic picture start on.
+OpenSurface start_of_rays(const Camera& camera, const RenderSettings& settings) {
+    const auto corner = [&](double x, double y) {
+        return CameraModel(camera, settings.width, settings.height).ray(x, y).origin;
+    };
+    const DVec3 top_left = corner(0.0, 0.0);
+    const DVec3 right = corner(settings.width, 0.0) - top_left;
+    const DVec3 down = corner(0.0, settings.height) - top_left;
+    DMat4 to_world(1.0);
+    to_world[0] = glm::dvec4(right, 0.0);
+    to_world[1] = glm::dvec4(down, 0.0);
+    to_world[2] = glm::dvec4(unit(cross(right, down)), 0.0);
+    to_world[3] = glm::dvec4(top_left + 0.5 * right + 0.5 * down, 1.0);
+    return OpenSurface::from(RectangleShape{{1.0, 1.0}}, to_world).value();
+}
+
+/// A region other than isotropic that some pixel's ray starts in, looked for at no more than 65536 pixel centres; -1 if
+/// there is none. The tracer fails the samples that start in a sliver between them.
+int unfit_start(const Plan& plan) {
+    const int width = plan.settings.width;
+    const int height = plan.settings.height;
+    const int step = 1 + static_cast<int>(std::sqrt(static_cast<double>(width) * height / 65536.0));
+    for (int y = 0; y < height; y += step)
+        for (int x = 0; x < width; x += step) {
+            const int region = plan.region_at(plan.camera.ray(x + 0.5, y + 0.5).origin);
+            if (!is_isotropic(plan, region)) return region;
+        }
+    return -1;
+}
+
+/// Fills in Plan::camera, camera_region and camera_regions. Error: a medium that no camera can stand in.
 Result<Done> place_camera(const Scene& scene, Plan& plan) {
     plan.camera = CameraModel(scene.camera, plan.settings.width, plan.settings.height);
+    int unfit = -1;
     if (scene.camera.projection == Projection::orthographic) {
-        plan.camera_region = plan.solids.empty() ? 0 : -1;
+        const Reach reach(plan.solids);
+        const SurfaceShape start = start_of_rays(scene.camera, plan.settings);
+        for (std::size_t r = 0; r < plan.regions.size(); ++r)
+            if (reach.into(plan.regions[r], start)) plan.camera_regions.push_back(static_cast<int>(r));
+        const bool all_fit = std::all_of(plan.camera_regions.begin(), plan.camera_regions.end(),
+                                         [&](int r) { return is_isotropic(plan, r); });
+        if (!all_fit) unfit = unfit_start(plan);
     } else {
-        plan.camera_region = plan.region_at(scene.camera.position);
+        plan.camera_regions = {plan.region_at(scene.camera.position)};
+        if (!is_isotropic(plan, plan.camera_regions[0])) unfit = plan.camera_regions[0];
     }
-    if (plan.camera_region < 0) return Done{};
-    const Region& region = plan.regions[static_cast<std::size_t>(plan.camera_region)];
-    const MediumKind kind = plan.groups[0].media[static_cast<std::size_t>(region.medium)].dielectric.kind;
-    if (kind != MediumKind::isotropic)
-        return at_place({ErrorKind::input,
-                         "the camera is inside '" + plan.solid(region.owner).name + "', which is not isotropic",
-                         {},
-                         "camera.position",
-                         "a pixel's coherence matrix needs an isotropic medium: move the camera out"},
-                        scene, scene.camera.place);
-    return Done{};
+    plan.camera_region = plan.camera_regions.size() == 1 ? plan.camera_regions[0] : -1;
+    if (unfit < 0) return Done{};
+    const int owner = plan.regions[static_cast<std::size_t>(unfit)].owner;
+    return at_place({ErrorKind::input,
+                     "the camera is inside '" + plan.solid(owner).name + "', which is not isotropic",
+                     {},
+                     "camera.position",
+                     "a pixel's coherence matrix needs an isotropic medium: move the camera out"},
+                    scene, scene.camera.place);
 }
 
 }  // namespace

@@ -178,12 +178,15 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
     for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
         const auto& media = plan.groups[static_cast<std::size_t>(plan.group_of_wavelength[w])].media;
         double smallest = smallest_ray_index2(media[0].dielectric);
-        double camera = smallest;
+        double camera = 0.0;
         for (std::size_t r = 0; r < plan.regions.size(); ++r) {
             const auto& d = media[static_cast<std::size_t>(plan.regions[r].medium)].dielectric;
             if (d.kind != MediumKind::conductor) smallest = std::min(smallest, smallest_ray_index2(d));
-            if (static_cast<int>(r) == plan.camera_region) camera = d.n * d.n;
-            if (plan.camera_region < 0) camera = std::max(camera, d.n * d.n);
+        }
+        for (const int r : plan.camera_regions) {
+            const auto& d =
+                media[static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(r)].medium)].dielectric;
+            camera = std::max(camera, d.n * d.n);
         }
         largest_factor[w] = camera / smallest;
         plan.brightest[w] = plan.background[w] * largest_factor[w];
@@ -211,9 +214,21 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
             const int body = plan.solid_count() + static_cast<int>(i);
             if (auto done = refuse_polarized_in_crystal(scene, plan, body, index); !done) return done.error();
         }
-        if (const auto* fixed = std::get_if<FixedState>(&emission.state))
-            emitter.state =
-                PlanFixedState{fixed->s1, fixed->s2, fixed->s3, direction_to_world(object.to_world, fixed->x_axis)};
+        if (const auto* fixed = std::get_if<FixedState>(&emission.state)) {
+            const DVec3 x_axis = direction_to_world(object.to_world, fixed->x_axis);
+            const auto* open = std::get_if<OpenSurface>(&plan.surfaces[i].shape);
+            const bool linear = fixed->s1 != 0.0 || fixed->s2 != 0.0;
+            // As for sheets: an axis within 1e-9 of the normal says nothing about directions in the surface.
+            if (linear && open != nullptr && length2(cross(x_axis, open->plane().normal)) < 1e-18)
+                return at_object({ErrorKind::input,
+                                  "lies along the light that leaves '" + object.name +
+                                      "' straight: its polarization has no direction",
+                                  {},
+                                  "emission.polarization.x_axis",
+                                  "take an axis in the plane of the lamp, such as [1, 0, 0]"},
+                                 scene, index);
+            emitter.state = PlanFixedState{fixed->s1, fixed->s2, fixed->s3, x_axis};
+        }
         if (const auto* plate = std::get_if<CrystalPlateState>(&emission.state)) {
             auto& compiled = std::get<PlanCrystalPlate>(emitter.state);
             compiled.passed = plate->passed;

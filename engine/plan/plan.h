@@ -63,9 +63,10 @@ struct Plan {
     std::vector<double> background;  ///< radiance per wavelength
     std::vector<Region> regions;
     CameraModel camera;
-    int camera_region = 0;          ///< region of the camera if it is the same for all pixels, else -1
-    double length_scale = 1.0;      ///< largest extent of the scene, for contact margins
-    std::vector<double> brightest;  ///< bound of 2 lambda_max over all that can be seen, per wavelength
+    int camera_region = 0;            ///< region of the camera if it is the same for all pixels, else -1
+    std::vector<int> camera_regions;  ///< all regions that its rays may start in
+    double length_scale = 1.0;        ///< largest coordinate of the scene, for drawings and checks
+    std::vector<double> brightest;    ///< bound of 2 lambda_max over all that can be seen, per wavelength
     Features features;
 
     [[nodiscard]] int solid_count() const { return static_cast<int>(solids.size()); }

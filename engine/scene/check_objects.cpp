@@ -178,8 +178,13 @@ void check_objects(SceneCheck& check) {
                       "another object is called '" + object.name + "'", "rename one of them");
         check_shape(check, object.shape, field + ".shape");
         check_transform(check, object.to_world, field + ".transform");
+        check.require(!object.priority || std::holds_alternative<FilledWith>(object.role), field + ".priority",
+                      "only an object with a medium can have a priority: it decides which medium fills a volume",
+                      "leave it out; lamps, sheets and absorbers stay where they are, whatever they lie in");
         std::visit(Overloaded{
                        [&](const FilledWith& role) {
+                           for (const DVec3& direction : role.black_faces)
+                               check.require_axis(direction, field + ".black");
                            require_medium(check, role.medium, field + ".medium");
                            check.require(!is_flat_sheet(object.shape), field + ".medium",
                                          "a rectangle or disk encloses nothing that could be filled",

@@ -23,6 +23,9 @@ namespace pol {
 /// The object is filled with a medium (name in Scene::media) and bounded by a smooth surface.
 struct FilledWith {
     std::string medium;
+    /// Outward directions in object space, any length: the flat faces that look that way swallow all light that falls
+    /// on them, from either side.
+    std::vector<DVec3> black_faces{};
 };
 
 /// The object's surface swallows all light: a screen, a housing, an aperture plate.
@@ -36,7 +39,8 @@ struct Object {
     Shape shape;
     DMat4 to_world{1.0};  ///< affine; may mirror or shear, must be invertible
     Role role;
-    /// Decides who owns the volume where solids overlap: the higher number. Without it an overlap is an error.
+    /// Decides who owns the volume where solids overlap: the higher number. Without it an overlap is an error. Only
+    /// objects that are FilledWith a medium may have one.
     std::optional<int> priority;
     SourcePlace place{};
 };

@@ -13,8 +13,9 @@ namespace pol {
 
 namespace {
 
-/// Touching faces are told apart from near ones at this fraction of the scene's extent.
-constexpr double contact_margin = 1e-12;
+bool is_inside(const Region& region, int solid) {
+    return std::binary_search(region.members.begin(), region.members.end(), solid);
+}
 
 /// Keeps the nearer of two candidates; on a tie the earlier one stays.
 void keep_nearer(Crossing& nearest, double distance, int body, int facet) {
@@ -30,12 +31,9 @@ void meet_surface(const Plan& plan, int body, const DVec3& origin, const DVec3& 
     const int skip = skip_of(left, body);
     std::visit(Overloaded{
                    [&](const OpenSurface& open) {
-                       // A solid may stand on an emitter: leaving it, the surface is met at distance 0 give or take
-                       // rounding, so look from a little further back.
-                       const double back = plan.is_solid(left.body) ? contact_margin * plan.length_scale : 0.0;
-                       const auto hit = open.hit(origin - direction * back, direction, skip);
+                       const auto hit = open.hit(origin, direction, skip);
                        if (!hit) return;
-                       keep_nearer(nearest, hit->distance - back, body, 0);
+                       keep_nearer(nearest, hit->distance, body, 0);
                        if (nearest.body == body) nearest.uv = hit->uv;
                    },
                    [&](const HalfSpaceSolid& solid) {
@@ -55,8 +53,7 @@ void meet_surface(const Plan& plan, int body, const DVec3& origin, const DVec3& 
 void add_flush_meshes(const Plan& plan, const Region& region, const Left& left, std::vector<LeftFacet>& stands) {
     for (const Contact& contact : plan.solid(left.body).contacts[static_cast<std::size_t>(left.facet)])
         for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
-            if (region.caster_body[mesh] == contact.other_solid &&
-                !std::binary_search(region.members.begin(), region.members.end(), contact.other_solid))
+            if (region.caster_body[mesh] == contact.body && !is_inside(region, contact.body))
                 stands.push_back({static_cast<int>(mesh), LeftFacet::outside, -1});
 }
 
@@ -95,11 +92,62 @@ DVec3 normal_of(const Plan& plan, const Crossing& crossing, const DVec3& point) 
     return std::visit(normal, plan.surface(crossing.body).shape);
 }
 
+/// Whether `point`, known to lie in the plane of `facet`, or on a sphere, lies inside that facet's outline.
+template <class Shape>
+bool facet_covers(const Shape& shape, int facet, const DVec3& point, double margin) {
+    return std::visit(Overloaded{
+                          [&](const HalfSpaceSolid& half_spaces) {
+                              for (int i = 0; i < half_spaces.facet_count(); ++i) {
+                                  const Plane& plane = half_spaces.plane(i);
+                                  if (i != facet && dot(plane.normal, point) - plane.offset > margin) return false;
+                              }
+                              return true;
+                          },
+                          [](const Sphere&) { return true; },
+                          [&](const OpenSurface& open) { return open.uv_at(point, margin).has_value(); },
+                          [&](const MeshBody& body) {
+                              const DVec3 normal = body.mesh.facets[static_cast<std::size_t>(facet)].normal;
+                              for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
+                                  if (body.mesh.facet_of_triangle[t] != static_cast<std::uint32_t>(facet)) continue;
+                                  bool inside = true;
+                                  for (std::size_t corner = 0; corner < 3; ++corner) {
+                                      const DVec3& a = body.mesh.vertices[body.mesh.triangles[t][corner]];
+                                      const DVec3& b = body.mesh.vertices[body.mesh.triangles[t][(corner + 1) % 3]];
+                                      if (dot(cross(b - a, point - a), normal) < -margin * glm::length(b - a))
+                                          inside = false;
+                                  }
+                                  if (inside) return true;
+                              }
+                              return false;
+                          },
+                      },
+                      shape);
+}
+
+/// Lamps and absorbers that lie in a solid's face are met there, whatever rounding says of the distances: from outside
+/// both, by rays that come out of the solid only those that are black (`leaving`). A lamp has a gap before it.
+std::optional<Crossing> meet_cover(const Plan& plan, int solid, int facet, const DVec3& point, double distance,
+                                   bool leaving) {
+    for (const Contact& cover : plan.solid(solid).covers[static_cast<std::size_t>(facet)]) {
+        const Surface& surface = plan.surface(cover.body);
+        if (leaving && !std::holds_alternative<AbsorberRole>(surface.role)) continue;
+        if (!facet_covers(surface.shape, cover.facet, point, cover.margin)) continue;
+        Crossing crossing{distance, cover.body, cover.facet, -1, {}, {}};
+        if (const auto* open = std::get_if<OpenSurface>(&surface.shape))
+            crossing.uv = open->uv_at(point, cover.margin).value();
+        return crossing;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& origin, const DVec3& direction,
                        const Left& left) {
     Crossing nearest;
+    if (plan.is_solid(left.body) && !plan.solid(left.body).covers.empty() && !is_inside(region, left.body)) {
+        if (const auto cover = meet_cover(plan, left.body, left.facet, origin, 0.0, false)) nearest = *cover;
+    }
     for (const int body : region.surfaces) meet_surface(plan, body, origin, direction, left, nearest);
     for (const int body : region.exits) {
         const FacetHit hit =
@@ -120,43 +168,16 @@ Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& orig
         keep_nearer(nearest, hit.distance, body, hit.facet);
     }
     if (region.caster) meet_meshes(plan, region, origin, direction, left, nearest);
-    if (nearest.body >= 0) nearest.normal = normal_of(plan, nearest, origin + direction * nearest.distance);
+    if (nearest.body < 0) return nearest;
+    const DVec3 point = origin + direction * nearest.distance;
+    if (plan.is_solid(nearest.body) && !plan.solid(nearest.body).covers.empty()) {
+        const auto cover =
+            meet_cover(plan, nearest.body, nearest.facet, point, nearest.distance, is_inside(region, nearest.body));
+        if (cover) nearest = *cover;
+    }
+    nearest.normal = normal_of(plan, nearest, point);
     return nearest;
 }
-
-namespace {
-
-/// Whether `point`, known to lie in the plane of `facet`, lies inside that facet's outline.
-bool facet_covers(const Solid& solid, int facet, const DVec3& point, double margin) {
-    return std::visit(Overloaded{
-                          [&](const HalfSpaceSolid& half_spaces) {
-                              for (int i = 0; i < half_spaces.facet_count(); ++i) {
-                                  const Plane& plane = half_spaces.plane(i);
-                                  if (i != facet && dot(plane.normal, point) - plane.offset > margin) return false;
-                              }
-                              return true;
-                          },
-                          [](const Sphere&) { return false; },
-                          [&](const MeshBody& body) {
-                              const DVec3 normal = body.mesh.facets[static_cast<std::size_t>(facet)].normal;
-                              for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
-                                  if (body.mesh.facet_of_triangle[t] != static_cast<std::uint32_t>(facet)) continue;
-                                  bool inside = true;
-                                  for (std::size_t corner = 0; corner < 3; ++corner) {
-                                      const DVec3& a = body.mesh.vertices[body.mesh.triangles[t][corner]];
-                                      const DVec3& b = body.mesh.vertices[body.mesh.triangles[t][(corner + 1) % 3]];
-                                      if (dot(cross(b - a, point - a), normal) < -margin * glm::length(b - a))
-                                          inside = false;
-                                  }
-                                  if (inside) return true;
-                              }
-                              return false;
-                          },
-                      },
-                      solid.shape);
-}
-
-}  // namespace
 
 FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const DVec3& point) {
     const auto toggle = [&](int from, int solid) {
@@ -164,17 +185,17 @@ FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const D
     };
     FarSide far{toggle(region, crossing.body), {crossing.body, crossing.facet, crossing.triangle}};
     const Solid& solid = plan.solid(crossing.body);
+    far.black = solid.is_black(crossing.facet);
     if (solid.contacts.empty()) return far;
-    const std::vector<int>& members = plan.regions[static_cast<std::size_t>(region)].members;
-    const auto inside = [&](int body) { return std::find(members.begin(), members.end(), body) != members.end(); };
+    const Region& here = plan.regions[static_cast<std::size_t>(region)];
     for (const Contact& contact : solid.contacts[static_cast<std::size_t>(crossing.facet)]) {
         // Faces that face each other are crossed from one solid into the other, flush faces into or out of both.
-        if ((inside(crossing.body) == inside(contact.other_solid)) != contact.flush) continue;
-        if (!facet_covers(plan.solid(contact.other_solid), contact.other_facet, point,
-                          contact_margin * plan.length_scale))
-            continue;
-        far.region = toggle(far.region, contact.other_solid);
-        far.left = {contact.other_solid, contact.other_facet, -1};
+        if ((is_inside(here, crossing.body) == is_inside(here, contact.body)) != contact.flush) continue;
+        const Solid& other = plan.solid(contact.body);
+        if (!facet_covers(other.shape, contact.facet, point, contact.margin)) continue;
+        far.region = toggle(far.region, contact.body);
+        far.left = {contact.body, contact.facet, -1};
+        far.black = far.black || other.is_black(contact.facet);
     }
     return far;
 }

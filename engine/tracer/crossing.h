@@ -26,6 +26,7 @@ Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& orig
 struct FarSide {
     int region = -1;
     Left left{};
+    bool black = false;  ///< the face was declared to swallow all light
 };
 FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const DVec3& point);
 

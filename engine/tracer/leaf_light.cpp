@@ -11,12 +11,14 @@ namespace pol {
 
 namespace {
 
+constexpr double parallel2 = 1e-24;
+
 /// Coherence matrix of a fixed state (S0 = 1) in the ray's field basis. The two bases are real and orthonormal, so the
 /// change of basis is O J O^T even where the ray's basis is left-handed about the light.
 CoherenceMatrix<double> fixed_state(const PlanFixedState& state, const Node& node) {
     const DVec3 light = -node.wave.ray;
     const DVec3 transverse = state.x_axis - light * dot(state.x_axis, light);
-    const DVec3 x = length2(transverse) > 1e-24 ? unit(transverse) : any_perpendicular(light);
+    const DVec3 x = length2(transverse) > parallel2 ? unit(transverse) : any_perpendicular(light);
     const DVec3 y = cross(light, x);
     const Complex<double> xy{0.5 * state.s2, 0.5 * state.s3};
     const double xx = 0.5 * (1.0 + state.s1);
@@ -80,6 +82,12 @@ void background_light(const Plan& plan, const WavelengthGroup& group, const Node
         radiance_factor(medium_of(plan, group, node.region), node.wave, camera_n) * node.throughput.unpolarized();
     for (std::size_t i = 0; i < light.size(); ++i)
         light[i] = plan.background[static_cast<std::size_t>(group.wavelengths[i])] * state;
+}
+
+bool has_state_along(const Emitter& emitter, const DVec3& ray) {
+    const auto* state = std::get_if<PlanFixedState>(&emitter.state);
+    if (state == nullptr || (state->s1 == 0.0 && state->s2 == 0.0)) return true;
+    return length2(cross(state->x_axis, ray)) > parallel2;
 }
 
 void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing,

@@ -16,6 +16,10 @@ namespace pol {
 void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n,
                       std::span<Stokes<double>> light);
 
+/// False: the emitter's linear polarization is counted from an axis that lies along this ray, to 1e-12 rad, and so has
+/// no direction.
+bool has_state_along(const Emitter& emitter, const DVec3& ray);
+
 /// Light of an emitter that the ray has met at node.origin. In a crystal each mode carries half the radiance.
 void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing,
                    double camera_n, std::span<Stokes<double>> light);

@@ -76,6 +76,8 @@ public:
         camera_n_ = medium_of(task.region).dielectric.n;
         queue_.clear();
         open_root(task);
+        // Where only some pixels' rays start inside one: compiling has refused what it found.
+        if (medium_of(task.region).dielectric.kind != MediumKind::isotropic) fail(queue_.pop());
 
         const double target = task.residual;
         const auto budget = static_cast<std::uint32_t>(task.node_budget);
@@ -150,6 +152,7 @@ private:
             const FarSide far = far_side(plan_, node.region, crossing, node.origin);
             if (far.region < 0) return fail(node);
             if (region(far.region).owner != here.owner) {
+                if (far.black) return absorb(node);
                 if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);
                 const double sense = dot(crossing.normal, node.wave.ray) < 0.0 ? -1.0 : 1.0;
                 return meet_boundary(node, crossing, far, crossing.normal * sense);
@@ -217,6 +220,7 @@ private:
             const Emitter& emitter = plan_.emitters[static_cast<std::size_t>(role->emitter)];
             const bool front = dot(crossing.normal, node.wave.ray) < 0.0;
             if (!front && !emitter.two_sided) return absorb(node);
+            if (!has_state_along(emitter, node.wave.ray)) return fail(node);
             light_.assign(group_->wavelengths.size(), {});
             emitter_light(plan_, group_index_, emitter, node, crossing, camera_n_, light_);
             return resolve(node, LeafReason::emitter);

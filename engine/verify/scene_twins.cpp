@@ -50,6 +50,9 @@ std::optional<std::string> what_loses_light(const Scene& scene, const Plan& plan
     for (const Object& object : scene.objects) {
         if (std::holds_alternative<Sheet>(object.role)) return fmt::format("'{}' is an ideal sheet", object.name);
         if (std::holds_alternative<Absorber>(object.role)) return fmt::format("'{}' is black", object.name);
+        if (const auto* filled = std::get_if<FilledWith>(&object.role);
+            filled != nullptr && !filled->black_faces.empty())
+            return fmt::format("'{}' has black faces", object.name);
     }
     for (const WavelengthGroup& group : plan.groups)
         for (std::size_t m = 0; m < group.media.size(); ++m)

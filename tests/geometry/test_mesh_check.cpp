@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/geometry_helpers.h"
 #include "geometry/shapes.h"
 
 namespace pol {
@@ -27,6 +28,15 @@ Result<Mesh> as_if_exported(const Mesh& mesh) {
         triangles.push_back({first, first + 1, first + 2});
     }
     return mesh_from_triangles(vertices, triangles);
+}
+
+// Through a volatile: optimized, GCC 12 takes DVec3(glm::vec3(p)) for p.
+DVec3 as_float32(DVec3 p) {
+    for (int i = 0; i < 3; ++i) {
+        const volatile float rounded = static_cast<float>(p[i]);
+        p[i] = static_cast<double>(rounded);
+    }
+    return p;
 }
 
 std::vector<DVec3> tetrahedron() {
@@ -79,6 +89,57 @@ TEST(MeshCheck, SmoothMeshesKeepOneFacetPerTriangle) {
     EXPECT_GT(mesh.facets.size(), sides / 2);
     EXPECT_TRUE(check_closed(mesh));
     EXPECT_TRUE(is_convex(mesh));
+}
+
+// Neighbors bend by 0.07 rad, wherever the ball is: 1e6 radii out a double is still good to 1e-10. The same ball as
+// 32-bit numbers is rough to 6e-5 of its radius at 1e3, a tenth of what one of its 5120 triangles bulges.
+TEST(MeshCheck, ABallKeepsItsFacetsHoweverFarItIs) {
+    for (const double distance : {0.0, 1e3, 2e3, 1e6}) {
+        const test::Triangles ball = test::icosphere(4, {distance, -0.3 * distance, 0.0});
+        const Mesh mesh = mesh_from_triangles(ball.vertices, ball.triangles).value();
+        EXPECT_EQ(mesh.facets.size(), 5120U) << distance;
+        EXPECT_TRUE(check_closed(mesh)) << distance;
+    }
+    test::Triangles rough = test::icosphere(4, {1e3, 0.0, 0.0});
+    for (DVec3& p : rough.vertices) p = as_float32(p);
+    EXPECT_EQ(mesh_from_triangles(rough.vertices, rough.triangles).value().facets.size(), 5120U);
+}
+
+// A ball of fifty million triangles bends by 5e-4 rad from one to the next and bulges by less than 1e-7 of its radius.
+// A strip of it:
+TEST(MeshCheck, FineTrianglesAreNotFlattened) {
+    std::vector<DVec3> vertices{{0.0, 0.0, 1.0}};  // an apex makes the piece as large as the ball
+    Triangles triangles;
+    for (std::uint32_t k = 0; k <= 50; ++k) {
+        const double angle = 5e-4 * k;
+        vertices.emplace_back(std::sin(angle), 0.0, -std::cos(angle));
+        vertices.emplace_back(std::sin(angle), 5e-4, -std::cos(angle));
+    }
+    for (std::uint32_t k = 0; k < 50; ++k) triangles.push_back({2 * k + 1, 2 * k + 2, 2 * k + 3});
+    for (std::uint32_t k = 0; k < 50; ++k) triangles.push_back({2 * k + 3, 2 * k + 2, 2 * k + 4});
+    triangles.push_back({0, 1, 2});
+    const Mesh mesh = mesh_from_triangles(vertices, triangles).value();
+    EXPECT_EQ(mesh.facets.size(), 51U);
+}
+
+TEST(MeshCheck, OneChipFarAwayChangesNoOtherFacet) {
+    test::Triangles ball = test::icosphere(3, DVec3(0.0));
+    const auto first = static_cast<std::uint32_t>(ball.vertices.size());
+    for (const DVec3& corner : tetrahedron()) ball.vertices.push_back(corner + DVec3(1e7, 0.0, 0.0));
+    for (const auto& t : tetrahedron_faces()) ball.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    const auto mesh = mesh_from_triangles(ball.vertices, ball.triangles);
+    ASSERT_TRUE(mesh) << to_string(mesh.error());
+    EXPECT_EQ(mesh.value().facets.size(), 1280U + 4U);
+    EXPECT_EQ(mesh.value().vertices.size(), first + 4U);
+}
+
+// At 2e6 the 32-bit numbers are 0.125 apart: a sixteenth of the ball.
+TEST(MeshCheck, NumbersTooCoarseForTheirPieceAreRefused) {
+    test::Triangles ball = test::icosphere(2, {2e6, 0.0, 0.0});
+    for (DVec3& p : ball.vertices) p = as_float32(p);
+    const std::string what = complaint_about(ball.vertices, ball.triangles);
+    EXPECT_NE(what.find("32-bit numbers, too coarse"), std::string::npos) << what;
+    EXPECT_NE(what.find("(1999999.5, "), std::string::npos) << what;
 }
 
 TEST(MeshCheck, SoundTetrahedronPasses) {

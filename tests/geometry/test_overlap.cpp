@@ -131,19 +131,50 @@ TEST(Overlap, ABallInThePitOfANonConvexSolidIsOutsideIt) {
 TEST(Overlap, TouchingFacetsAreThePairsThatShareAnArea) {
     const HalfSpaceSolid a = solid(box(DVec3(1.0), DVec3(0.0)));
     const HalfSpaceSolid b = solid(box(DVec3(1.0), {1.0, 0.5, 0.0}));
-    const auto pairs = touching_facets(&a, &b);
+    const auto pairs = common_facets(&a, &b, Facing::opposite);
     ASSERT_EQ(pairs.size(), 1U);
     EXPECT_EQ(pairs[0].a, 1) << "+x of a";
     EXPECT_EQ(pairs[0].b, 0) << "-x of b";
     const HalfSpaceSolid edge_only = solid(box(DVec3(1.0), {1.0, 1.0, 0.0}));
-    EXPECT_TRUE(touching_facets(&a, &edge_only).empty());
+    EXPECT_TRUE(common_facets(&a, &edge_only, Facing::opposite).empty());
     const HalfSpaceSolid apart = solid(box(DVec3(1.0), {1.0 + 1e-7, 0.5, 0.0}));
-    EXPECT_TRUE(touching_facets(&a, &apart).empty());
-    EXPECT_EQ(touching_facets(&a, &apart, 1e-6).size(), 1U);
+    EXPECT_TRUE(common_facets(&a, &apart, Facing::opposite).empty());
     const HalfSpaceSolid flush_inside = solid(box(DVec3(0.5), {0.25, 0.0, 0.0}));
-    EXPECT_TRUE(touching_facets(&a, &flush_inside).empty()) << "same facing: not a contact";
+    EXPECT_TRUE(common_facets(&a, &flush_inside, Facing::opposite).empty()) << "same facing: not a contact";
     const Sphere ball{{1.5, 0.0, 0.0}, 1.0};
-    EXPECT_TRUE(touching_facets(&a, &ball).empty());
+    EXPECT_TRUE(common_facets(&a, &ball, Facing::opposite).empty());
+}
+
+// Coordinates of 20 are off by 20 * 2.2e-16 = 4e-15 at most: a gap of 1e-8, or of 1e-12, is one that somebody wrote.
+TEST(Overlap, AGapOfMoreThanRoundingIsAGap) {
+    const Mesh left = box(DVec3(40.0), DVec3(0.0));
+    for (const double gap : {1e-8, 1e-12})
+        expect_boxes(left, box(DVec3(40.0), {40.0 + gap, 0.0, 0.0}), Arrangement::disjoint);
+    expect_boxes(left, box(DVec3(40.0), {40.0, 0.0, 0.0}), Arrangement::touching);
+    const Sphere ball{{0.0, 0.0, 0.0}, 20.0};
+    const Sphere near{{40.0 + 1e-8, 0.0, 0.0}, 20.0};
+    EXPECT_EQ(arrangement(&ball, &near), Arrangement::disjoint);
+}
+
+// Tolerances are those of the facets that meet, not of the largest coordinate in the file.
+TEST(Overlap, OneChipFarAwayClosesNoGap) {
+    Mesh left = box(DVec3(1.0), DVec3(0.0));
+    test::append(left, box(DVec3(1e-3), DVec3(1e6)));
+    const Mesh apart = box(DVec3(1.0), {1.0 + 1e-10, 0.2, 0.0});
+    EXPECT_EQ(arrangement(&left, &apart), Arrangement::disjoint);
+    EXPECT_TRUE(common_facets(&left, &apart, Facing::opposite).empty());
+    const Mesh beside = box(DVec3(1.0), {1.0, 0.2, 0.0});
+    EXPECT_EQ(arrangement(&left, &beside), Arrangement::touching);
+    EXPECT_EQ(common_facets(&left, &beside, Facing::opposite).size(), 1U);
+}
+
+TEST(Overlap, EqualSpheresAreOneFacetEach) {
+    const Sphere a{{0.1, 0.2, 0.3}, 1.0};
+    const Sphere b{{0.1, 0.2, 0.3 + 1e-16}, 1.0};
+    EXPECT_EQ(common_facets(&a, &b, Facing::same).size(), 1U);
+    EXPECT_TRUE(common_facets(&a, &b, Facing::opposite).empty());
+    const Sphere larger{{0.1, 0.2, 0.3}, 1.0 + 1e-12};
+    EXPECT_TRUE(common_facets(&a, &larger, Facing::same).empty()) << "a film of 1e-12";
 }
 
 // The two prisms of a cemented Wollaston pair, at any scale and place.
@@ -163,7 +194,7 @@ TEST(Overlap, PrismsCementedAlongASlantTouchAtEveryScale) {
         const HalfSpaceSolid a = solid(transformed(make_mesh(first).value(), place).value());
         const HalfSpaceSolid b = solid(transformed(make_mesh(second).value(), place).value());
         EXPECT_EQ(arrangement(&a, &b), Arrangement::touching);
-        const auto pairs = touching_facets(&a, &b);
+        const auto pairs = common_facets(&a, &b, Facing::opposite);
         ASSERT_EQ(pairs.size(), 1U);
         EXPECT_EQ(pairs[0].a, 3);
         EXPECT_EQ(pairs[0].b, 5);

@@ -384,6 +384,35 @@ TEST(RayCaster, SurfacesCloserThanFloatsCanTellAreMetInTheirTrueOrder) {
     }
 }
 
+// In one Embree scene the stone would be a point: a float knows 1e7 to 1.
+TEST(RayCaster, OneChipFarAwayHidesNothing) {
+    const Mesh body = bumpy(12);
+    DMat4 away(0.1);
+    away[3] = {1e7, 2e7, 0.0, 1.0};
+    const Mesh chip = transformed(stone(), away).value();
+    Mesh both = body;
+    test::append(both, chip);
+    const RayCaster alone = caster({body});
+    const RayCaster one_file = caster({both});
+    const RayCaster two_files = caster({body, chip});
+    Dice random = dice(77);
+    for (int i = 0; i < 2000; ++i) {
+        const DVec3 o = 3.0 * random.direction();
+        const DVec3 d = unit(1.1 * random.direction() - o);
+        const auto expected = alone.nearest(o, d);
+        for (const RayCaster* with_chip : {&one_file, &two_files}) {
+            const auto hit = with_chip->nearest(o, d);
+            ASSERT_EQ(hit.has_value(), expected.has_value());
+            if (!hit) continue;
+            ASSERT_EQ(hit->triangle, expected->triangle);
+            ASSERT_EQ(hit->distance, expected->distance);
+        }
+    }
+    const DVec3 at_chip = DVec3(away[3]) - DVec3(5.0, 0.0, 0.0);
+    EXPECT_TRUE(one_file.nearest(at_chip, {1.0, 0.0, 0.0}));
+    EXPECT_TRUE(two_files.nearest(at_chip, {1.0, 0.0, 0.0}));
+}
+
 TEST(RayCaster, NothingToTraceIsAnError) {
     EXPECT_FALSE(RayCaster::build({}));
     Mesh broken = stone();

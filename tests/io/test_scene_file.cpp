@@ -80,7 +80,8 @@ Scene scene_of_everything() {
     }
     text += camera + "title: all\nunit: um\nbackground: {table: [[300, 1], [800, 2]]}\nambient: air\n" + R"(objects:
   - {name: gem, shape: {brilliant: {diameter: 2}}, transform: [{translate: [0.1, 0.2, 0.3]}], medium: glass, priority: 2}
-  - {name: box, shape: {box: {size: [1, 2, 3]}}, transform: [{scale: [1, -2, 3]}], medium: calcite}
+  - {name: box, shape: {box: {size: [1, 2, 3]}}, transform: [{scale: [1, -2, 3]}], medium: calcite,
+     black: [[0, 0, -1], [0, 1, 0]]}
   - {name: bar, shape: {extrusion: {polygon: [[0, 0], [1, 0], [0, 1]], height: 2}}, medium: cauchy}
   - {name: wedge, shape: {prism: {apex_angle: 61, side: 2, height: 3}}, medium: flint}
   - {name: rhomb, shape: {rhomb: {angle: 54.6, aperture: 1, height: 2}}, medium: sheet}
@@ -283,6 +284,8 @@ TEST(SceneFile, SavedScenesLoadBackToTheSameValues) {
             EXPECT_EQ(loaded.objects[k].to_world, scene.objects[k].to_world);
             EXPECT_EQ(loaded.objects[k].priority, scene.objects[k].priority);
         }
+        EXPECT_EQ(std::get<FilledWith>(loaded.objects[1].role).black_faces,
+                  (std::vector<DVec3>{{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}));
         EXPECT_EQ(save_scene(loaded), saved);
         EXPECT_EQ(scene_hash(loaded), scene_hash(scene));
     }
@@ -364,6 +367,7 @@ TEST(SceneHash, ChangesWithEveryValue) {
         [](Scene& s) { s.objects[0].priority.reset(); },
         [](Scene& s) { s.objects[0].role = FilledWith{"flint"}; },
         [](Scene& s) { std::get<BoxShape>(s.objects[1].shape).size.z = 4.0; },
+        [](Scene& s) { std::get<FilledWith>(s.objects[1].role).black_faces.pop_back(); },
         [](Scene& s) { std::get<ExtrusionShape>(s.objects[2].shape).polygon[1].x = 1.5; },
         [](Scene& s) { std::get<RhombShape>(s.objects[4].shape).aperture = 1.5; },
         [](Scene& s) { std::get<SphereShape>(s.objects[5].shape).radius = 0.31; },

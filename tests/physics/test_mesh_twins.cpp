@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/geometry_helpers.h"
 #include "geometry/shapes.h"
 #include "polarization/measures.h"
 #include "support/shipped_scenes.h"
@@ -65,6 +66,45 @@ TEST(HalfSpacesAndEmbree, ShowTheSamePictureOfTheSameSolid) {
         EXPECT_LE(differing_pixels(a, b, 1e-10), static_cast<int>(a.pixel_count() / 200)) << medium;
         EXPECT_TRUE(b.failures.empty()) << medium;
     }
+}
+
+/// A ball of 320 triangles before a lamp, all of it 0, 1e3 or 1e6 radii from the origin, in the numbers of the file;
+/// `chip`: with a second piece in the file, 1e7 radii away.
+Scene far_ball(double distance, bool chip) {
+    const std::string x = std::to_string(distance);
+    Scene scene = test::scene_of("camera: {type: orthographic, position: [" + x + ", 0, 10], target: [" + x +
+                                 ", 0, 0], up: [0, 1, 0], width: 2.2}\nmedia: {glass: 1.5}\n"
+                                 "render: {size: [24, 24], residual: 1e-6}\nobjects:\n"
+                                 "  - {name: ball, shape: {box: {size: 1}}, medium: glass}\n"
+                                 "  - {name: lamp, shape: {rectangle: {size: 2}}, transform: [{translate: [" +
+                                 x + ", 0, -4]}], emission: {radiance: 1}}\n");
+    test::Triangles ball = test::icosphere(2, {distance, 0.0, 0.0});
+    if (chip) {
+        const auto first = static_cast<std::uint32_t>(ball.vertices.size());
+        const DVec3 corner(1e7, 1e7, 0.0);
+        ball.vertices.insert(ball.vertices.end(),
+                             {corner, corner + DVec3(1, 0, 0), corner + DVec3(0, 1, 0), corner + DVec3(0, 0, 1)});
+        for (const auto& t : {std::array{0U, 2U, 1U}, {0U, 1U, 3U}, {1U, 2U, 3U}, {2U, 0U, 3U}})
+            ball.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    const Mesh mesh = mesh_from_triangles(ball.vertices, ball.triangles).value();
+    scene.objects[0].shape = MeshShape{"", std::make_shared<const Mesh>(mesh)};
+    return scene;
+}
+
+// At 1e6 coordinates are rounded to 6e-11, which turns a triangle of width 0.3 by 4e-10 rad. Times the slope of
+// Fresnel's formulas, up to 1e3 as above, and a path's ten interfaces: below 1e-5. A pixel differs for good where a
+// path passes an edge by less than the rounding.
+TEST(Meshes, ShowTheSamePictureWhereverTheyAreAndWhateverElseIsInTheFile) {
+    const StokesImage near = test::render(far_ball(0.0, false));
+    for (const double distance : {1e3, 1e6}) {
+        const StokesImage far = test::render(far_ball(distance, false));
+        EXPECT_TRUE(far.failures.empty());
+        EXPECT_LE(differing_pixels(near, far, 1e-5), static_cast<int>(near.pixel_count() / 200)) << distance;
+    }
+    const StokesImage with_chip = test::render(far_ball(0.0, true));
+    EXPECT_TRUE(with_chip.failures.empty());
+    EXPECT_LE(differing_pixels(near, with_chip, 1e-10), static_cast<int>(near.pixel_count() / 200));
 }
 
 /// Corners of all facets of `mesh`, and midpoints of all triangle edges (diagonals of facets among them).

@@ -72,6 +72,21 @@ TEST(SceneCheck, NamesTheFieldThatAnEditBroke) {
         {"objects[0].medium", [](Scene& s) { s.objects[0].role = FilledWith{"air"}; }},
         {"objects[1].name", [](Scene& s) { s.objects.push_back(s.objects[0]); }},
         {"objects[0].name", [](Scene& s) { s.objects[0].name.clear(); }},
+        {"objects[0].black",
+         [](Scene& s) {
+             s.objects[0].role = FilledWith{"glass", {DVec3(0.0)}};
+         }},
+        // Only media are ranked: an absorber, a lamp and a sheet are where they are.
+        {"objects[0].priority",
+         [](Scene& s) {
+             s.objects[0].role = Absorber{};
+             s.objects[0].priority = 0;
+         }},
+        {"objects[0].priority",
+         [](Scene& s) {
+             s.objects[0].role = Emission{};
+             s.objects[0].priority = 2;
+         }},
         {"objects[0].transform", [](Scene& s) { s.objects[0].to_world[2][2] = inf; }},
         {"objects[0].transform", [](Scene& s) { s.objects[0].to_world[0][3] = 0.1; }},
         {"objects[0].transform", [](Scene& s) { s.objects[0].to_world[1] = s.objects[0].to_world[0]; }},

@@ -64,7 +64,7 @@ TEST(SpaceView, PanMovesTheTargetWithTheMouseAndZoomGoesNearer) {
 Plan plan_with(std::variant<HalfSpaceSolid, Sphere, MeshBody> shape) {
     Plan plan;
     plan.length_scale = 2.0;
-    plan.solids.push_back({"solid", 0, 0, std::nullopt, std::move(shape), {}});
+    plan.solids.push_back({"solid", 0, 0, std::nullopt, std::move(shape), {}, {}, {}});
     return plan;
 }
 
