@@ -31,22 +31,16 @@ StoredNumbers stored_as(Imf::PixelType type, Imf::Compression compression) {
 
 }  // namespace
 
-Result<Parts> Parts::of(const Imf::MultiPartInputFile& file) {
-    Parts parts;
+Parts::Parts(const Imf::MultiPartInputFile& file) {
     for (int part = 0; part < file.parts(); ++part) {
         const Imf::Header& header = file.header(part);
-        if (header.hasType() && !Imf::isImage(header.type())) continue;
-        parts.headers_.emplace(part, header);
+        headers_.emplace(part, header);
         for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-            Found& found = parts.channels_[channel.name()];
+            Found& found = channels_[channel.name()];
             found.parts.push_back(part);
             found.channel = channel.channel();
         }
     }
-    if (parts.headers_.empty())
-        return input_error("holds deep data, any number of samples a pixel; only flat pictures are read",
-                           "write it flattened");
-    return parts;
 }
 
 std::vector<std::string> Parts::names() const {
@@ -78,6 +72,9 @@ Result<std::map<std::string, int>> Parts::locate(const std::vector<std::string>&
         if (found.parts.size() > 1)
             return input_error(fmt::format("parts {} and {} both have a channel {}", part, found.parts[1], name),
                                "write each picture or view into a file of its own");
+        if (header(part).hasType() && !Imf::isImage(header(part).type()))
+            return input_error(fmt::format("channel {} is deep: any number of samples a pixel", name),
+                               "write it flattened: one value a pixel is read");
         const Imf::Channel& channel = found.channel;
         if (channel.xSampling != 1 || channel.ySampling != 1)
             return input_error(fmt::format("channel {} has sampling {} x {}; only full resolution is read", name,

@@ -15,11 +15,10 @@
 
 namespace pol::exr {
 
-/// The channels of all flat parts together, as if the file had one part.
+/// The channels of all parts together, as if the file had one part.
 class Parts {
 public:
-    /// Error (kind input, without a place): no part is flat.
-    static Result<Parts> of(const Imf::MultiPartInputFile& file);
+    explicit Parts(const Imf::MultiPartInputFile& file);
 
     /// Names of the channels, ascending.
     [[nodiscard]] std::vector<std::string> names() const;
@@ -29,8 +28,8 @@ public:
     [[nodiscard]] std::string text(const std::string& attribute) const;
     [[nodiscard]] const Imf::Header& header(int part) const { return headers_.at(part); }
 
-    /// The part of each of `channels`. Error (kind input, without a place), by name: a channel is in two parts or not
-    /// of full resolution, or two parts have different data windows.
+    /// The part of each of `channels`. Error (kind input, without a place), by name: a channel is in two parts, deep or
+    /// not of full resolution, or two parts have different data windows.
     [[nodiscard]] Result<std::map<std::string, int>> locate(const std::vector<std::string>& channels) const;
 
     /// The coarsest of the ways in which `channels` are stored.

@@ -153,9 +153,7 @@ double largest_compression(Imf::Compression kind) {
 }
 
 Result<StokesImage> read_picture(Imf::MultiPartInputFile& file, std::uintmax_t file_bytes) {
-    const Result<exr::Parts> all = exr::Parts::of(file);
-    if (!all) return all.error();
-    const exr::Parts& parts = all.value();
+    const exr::Parts parts(file);
     const Result<exr::Layout> found = exr::layout_of(parts);
     if (!found) return found.error();
     const exr::Layout& layout = found.value();

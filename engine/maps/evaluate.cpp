@@ -75,13 +75,13 @@ Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>&
 
 }  // namespace
 
-double unphysical_part(const Stokes<double>& s) {
-    constexpr double rounding = 0x1p-24;
+double unphysical_part(const PixelLight& light) {
+    const Stokes<double>& s = light.stokes;
     const double polarized = polarized_part(s);
     if (!std::isfinite(s.s0) || !std::isfinite(polarized)) return std::numeric_limits<double>::quiet_NaN();
     if (s.s0 == 0.0 && polarized == 0.0) return 0.0;
     const double excess = (polarized - s.s0) / (polarized + std::abs(s.s0));
-    return excess > rounding ? excess : 0.0;
+    return excess > light.rounding ? excess : 0.0;
 }
 
 MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) {
@@ -89,7 +89,7 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
     const Stokes<double>& s = light.stokes;
     if (quantity == Quantity::intensity) return number(s.s0 / d65);
     if (quantity == Quantity::residual) return number(light.residual);
-    if (quantity == Quantity::unphysical) return number(unphysical_part(s));
+    if (quantity == Quantity::unphysical) return number(unphysical_part(light));
 
     const bool is_number = std::isfinite(s.s0) && std::isfinite(polarized_part(s)) && std::isfinite(light.missing) &&
                            std::isfinite(light.surplus);

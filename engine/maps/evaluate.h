@@ -53,9 +53,9 @@ inline constexpr double full_weight_polarization = 0.05;
 /// samples that weigh anything (physics.md section 1).
 inline constexpr double pixel_noise = noise_threshold(1000.0);
 
-/// How far S is from being light, 0 for light; NaN unless finite. A picture file rounds S0 and the polarized part by at
-/// most 2^-24 each, which changes the quotient by at most 2^-24: less than that is 0.
-double unphysical_part(const Stokes<double>& s);
+/// How far light is from being some, 0 if it is; NaN unless finite. A picture file rounds S0 and the polarized part by
+/// at most PixelLight::rounding each, which changes the quotient by at most as much: less than that is 0.
+double unphysical_part(const PixelLight& light);
 
 /// The value of `quantity` of some light. `d65` is CIE D65 at the wavelength, used by `intensity` only.
 /// Requires: quantity is not `color` (see color_picture.h).

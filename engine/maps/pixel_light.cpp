@@ -11,6 +11,7 @@ PixelLight pixel_light(const StokesImage& image, std::size_t wavelength, std::si
     light.residual = image.plane_value(image.residual, wavelength, pixel);
     light.missing = light.residual * brightest + light.surplus;
     light.scale = brightest;
+    light.rounding = image.stored.rounding();
     return light;
 }
 

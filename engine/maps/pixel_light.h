@@ -16,6 +16,7 @@ struct PixelLight {
     double residual = 0.0;  ///< share of the throughput that was not traced
     /// Light that the arithmetic had in hand: what is nothing but rounding beside it is no light. 0: not known.
     double scale = 0.0;
+    double rounding = StoredNumbers{}.rounding();  ///< largest relative error of the numbers of `stokes`
 };
 
 /// A picture without residual or without brightest has no light missing, as far as it says.

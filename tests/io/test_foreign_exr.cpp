@@ -242,7 +242,7 @@ TEST_F(ForeignExr, OfDeepPixelsIsSoundButNotRead) {
         file.setFrameBuffer(buffer);
         file.writePixels(1);
     }
-    EXPECT_EQ(refusal(path()), "holds deep data, any number of samples a pixel; only flat pictures are read");
+    EXPECT_EQ(refusal(path()), "channel S0.580,0nm is deep: any number of samples a pixel");
 }
 
 TEST_F(ForeignExr, OfTilesIsReadAtItsFullSizeWhateverSmallerCopiesItHas) {

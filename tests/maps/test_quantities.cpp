@@ -157,6 +157,12 @@ TEST(Evaluate, ShowsHowFarAVectorIsFromBeingLight) {
     // Rounded to floats, fully polarized light may come out a trace above 1, which is not the renderer's doing.
     EXPECT_EQ(pixel(one_pixel({1.0, 1.0 + 0x1p-24, 0.0, 0.0}), Quantity::unphysical).value, 0.0);
     EXPECT_GT(pixel(one_pixel({1.0, 1.0 + 0x1p-22, 0.0, 0.0}), Quantity::unphysical).value, 0.0);
+    StokesImage halves = one_pixel({1.0, 1.0 + 0x1p-11, 0.0, 0.0});
+    EXPECT_GT(pixel(halves, Quantity::unphysical).value, 0.0);
+    halves.stored.bits = 16;
+    EXPECT_EQ(pixel(halves, Quantity::unphysical).value, 0.0);
+    halves.stokes[0].s1 = 1.0 + 0x1p-9;
+    EXPECT_GT(pixel(halves, Quantity::unphysical).value, 0.0);
 }
 
 // S0 in [2, 2.1]; the missing light can add 0.1 to the polarized part 1 or take 0.1 from it: P between 0.9/2.1 and
