@@ -96,6 +96,14 @@ class Maps(ProgramTest):
             pictures.add((self.folder / "map.png").read_bytes())
         self.assertEqual(len(pictures), 3)
 
+    def test_a_map_fades_by_the_width_of_its_bar_on_request_but_not_on_a_gray_scale(self):
+        def drawn(*options):
+            self.succeed("maps", "in.exr", "--map", "dop", "-o", "map.png", "--plain", *options)
+            return (self.folder / "map.png").read_bytes()
+
+        self.assertNotEqual(drawn("--fade-by-bar"), drawn())  # a hundred branches leave light untraced
+        self.assertEqual(drawn("--style", "paper", "--fade-by-bar"), drawn("--style", "paper"))
+
 
 class Explain(ProgramTest):
     def test_the_leaves_of_a_pixel_sum_to_it_to_the_last_bit(self):
