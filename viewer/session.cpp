@@ -266,7 +266,7 @@ std::optional<ExplanationRequest> Session::wanted_explanation() const {
     if (document == nullptr || !document->has_scene() || !pinned) return std::nullopt;
     const RenderSettings& settings = document->plan()->settings;
     if (pinned->x >= settings.width || pinned->y >= settings.height) return std::nullopt;
-    const auto last_sample = static_cast<std::uint32_t>(settings.samples_per_pixel - 1);
+    const auto last_sample = static_cast<std::uint32_t>(settings.last_sample());
     const std::size_t last_wavelength = document->plan()->wavelengths_nm.size() - 1;
     return ExplanationRequest{document->plan(), *pinned, std::min(selection.sample, last_sample),
                               static_cast<int>(std::min(view.wavelength, last_wavelength))};

@@ -131,13 +131,13 @@ int run(const ExplainRequest& request) {
                        {},
                        "--pixel",
                        fmt::format("0,0 (top left) to {},{}", plan.settings.width - 1, plan.settings.height - 1)});
-    if (request.sample < 0 || request.sample >= plan.settings.samples_per_pixel)
+    if (request.sample < 0 || request.sample > plan.settings.last_sample())
         return report(
             {ErrorKind::usage,
-             fmt::format("there is no sample {}: a pixel has {}", request.sample, plan.settings.samples_per_pixel),
+             fmt::format("there is no sample {}: they end at {}", request.sample, plan.settings.last_sample()),
              {},
              "--sample",
-             "they count from 0; --spp says how many there are"});
+             "0 is the pixel's centre, and the first sample of mode point; those of mode area count from 1"});
     const auto wavelength = wavelength_index(plan, request.wavelength_nm);
     if (!wavelength) return report(wavelength.error());
     const Explanation explanation = explain(plan, x, y, static_cast<std::uint32_t>(request.sample), wavelength.value());
@@ -154,7 +154,9 @@ void add_explain_command(CLI::App& app, int& exit_code) {
     command->add_option("--pixel", request->pixel, "Pixel X,Y; 0,0 is top left (needed without --case)")
         ->delimiter(',')
         ->expected(2);
-    command->add_option("--sample", request->sample, "Sample of the pixel; 0 is its centre");
+    command->add_option("--sample", request->sample,
+                        "Sample of the pixel; 0 is its centre, which mode area shows here only: "
+                        "those of its picture count from 1");
     command->add_option("--wavelength", request->wavelength_nm,
                         "Which of the wavelengths, in nm (default: the one nearest to 580)");
     command->add_option("--least", request->least_share, "Leave out branches of less than this weight (text only)")

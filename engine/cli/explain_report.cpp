@@ -181,7 +181,10 @@ Json json_of(const Plan& plan, const Explanation& e, int index) {
 std::string explanation_as_text(const Plan& plan, const Explanation& e, double least_share) {
     std::string out;
     auto to = std::back_inserter(out);
-    fmt::format_to(to, "pixel {},{}  sample {} of {}  {} nm\n\n", e.x, e.y, e.sample, plan.settings.samples_per_pixel,
+    const bool in_picture = static_cast<int>(e.sample) >= plan.settings.first_sample();
+    fmt::format_to(to, "pixel {},{}  {}  {} nm\n\n", e.x, e.y,
+                   in_picture ? fmt::format("sample {} of {}", e.sample, plan.settings.samples_per_pixel)
+                              : "its centre, which is none of the samples of an area picture",
                    plan.wavelengths_nm[static_cast<std::size_t>(e.wavelength)]);
     write_measures(out, plan, e);
     fmt::format_to(to, "\nresolved {:.6g} + absorbed {:.6g} + residual {:.6g} + random tail {:.6g} = 1 {:+.1e}\n",

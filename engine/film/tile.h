@@ -47,8 +47,8 @@ struct TileBuffer {
     TileRect rect{};
     std::uint32_t samples = 0;  ///< that every pixel of the tile got in this pass
     std::vector<Stokes<double>> stokes;
-    /// Sum of the odd samples minus that of the even ones. Empty if the picture needs no estimate of its sampling
-    /// error; then it is empty in every pass of the job.
+    /// Sum of the odd samples minus that of the even ones, counted from 0. Empty if the picture needs no estimate of
+    /// its sampling error; then it is empty in every pass of the job.
     std::vector<Stokes<double>> odd_minus_even;
     std::vector<double> residual;
     std::vector<double> tail;

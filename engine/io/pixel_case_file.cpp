@@ -28,9 +28,9 @@ void read_head(const std::string& head, const YamlFile& file, PixelCase& result)
         map.at("pixel").fail("the picture has no such pixel",
                              fmt::format("[0, 0] (top left) to [{}, {}]", render.width - 1, render.height - 1));
     const int sample = map.has("sample") ? map.at("sample").whole() : 0;
-    if (sample < 0 || sample >= render.samples_per_pixel)
+    if (sample < 0 || sample > render.last_sample())
         map.at("sample").fail(fmt::format("there is no sample {}", sample),
-                              fmt::format("0 to {}", render.samples_per_pixel - 1));
+                              fmt::format("0 to {}", render.last_sample()));
     result.sample = static_cast<std::uint32_t>(sample);
     result.wavelength_nm = map.at("wavelength").number();
     if (std::find(render.wavelengths_nm.begin(), render.wavelengths_nm.end(), result.wavelength_nm) ==

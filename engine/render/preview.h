@@ -14,7 +14,7 @@ namespace pol {
 inline constexpr int preview_node_budget = 32;
 inline constexpr double preview_residual = 0.02;
 
-/// Blocks of stride x stride pixels, each shown by sample 0 of its middle pixel.
+/// Blocks of stride x stride pixels, each shown by sample 0, the centre, of its middle pixel.
 struct PreviewGrid {
     int stride = 8;
     int columns = 0;

@@ -24,7 +24,7 @@ struct PreviewTask {
     int row = 0;
 };
 
-/// Samples first_sample..last_sample-1 of every pixel of a tile.
+/// Samples first_sample..last_sample-1 of every pixel of a tile, counted from 0 at RenderSettings::first_sample().
 struct TileTask {
     int tile = 0;
     std::uint32_t first_sample = 0;

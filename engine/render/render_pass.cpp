@@ -41,13 +41,14 @@ public:
         for (int y = buffer.rect.y0; y < buffer.rect.y1; ++y) {
             for (int x = buffer.rect.x0; x < buffer.rect.x1; ++x, ++pixel) {
                 if (cancelled.load(std::memory_order_relaxed)) return statistics;
-                for (std::uint32_t sample = first; sample < last; ++sample) {
+                for (std::uint32_t index = first; index < last; ++index) {
+                    const auto sample = static_cast<std::uint32_t>(plan_.settings.first_sample()) + index;
                     for (std::size_t group = 0; group < groups; ++group) {
                         const TraceResult result =
                             trace_light(sample_task(plan_, x, y, sample, static_cast<int>(group)));
                         add_light(group, &buffer.stokes[pixel * wavelengths], 1.0);
                         if (halved)
-                            add_light(group, &buffer.odd_minus_even[pixel * wavelengths], sample % 2 == 1 ? 1.0 : -1.0);
+                            add_light(group, &buffer.odd_minus_even[pixel * wavelengths], index % 2 == 1 ? 1.0 : -1.0);
                         buffer.residual[pixel * groups + group] += result.residual;
                         buffer.tail[pixel * groups + group] += result.tail;
                         buffer.failures[pixel] += result.failures;

@@ -17,8 +17,8 @@ namespace pol {
 class PassTracer {
 public:
     virtual ~PassTracer() = default;
-    /// Traces samples first..last-1 of every pixel of buffer.rect into the buffer. Returns early, with a buffer of no
-    /// use, once `cancelled` is set.
+    /// Traces samples first..last-1, counted from 0 at RenderSettings::first_sample(), of every pixel of buffer.rect
+    /// into the buffer. Returns early, with a buffer of no use, once `cancelled` is set.
     virtual RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
                                    TileBuffer& buffer) = 0;
     /// Traces strip.row of the preview, a sample per block. Returns early, like trace().

@@ -47,7 +47,7 @@ struct Object {
 
 enum class SampleMode {
     point,  ///< one ray through the pixel centre, the paper's mode
-    area,   ///< box filter over the pixel, quasi-random; sample 0 is the pixel centre
+    area,   ///< box filter over the pixel, quasi-random
 };
 
 /// How the picture is made unless the command line says otherwise.
@@ -62,6 +62,12 @@ struct RenderSettings {
     int node_budget = 1000;    ///< branches a sample may follow before its random tail
     std::uint64_t seed = 0;
     bool unpolarized = false;  ///< light is unpolarized again after every surface, as renderers without polarization do
+    /// The samples of a pixel that make its picture have the numbers first_sample() to last_sample(). Sample 0 is the
+    /// ray through the pixel's centre, which a click and the preview show. In mode area it is none of the picture's: a
+    /// sample in a place that is always the same would pull the mean towards what is there.
+    [[nodiscard]] int first_sample() const { return mode == SampleMode::area ? 1 : 0; }
+    [[nodiscard]] int last_sample() const { return first_sample() + samples_per_pixel - 1; }
+
     /// The paper's mode: the depth alone cuts the tree. Residual and node budget can be set again afterwards.
     void cut_by_depth_alone(int limit) {
         depth = limit;

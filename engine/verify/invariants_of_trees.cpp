@@ -22,15 +22,16 @@ std::vector<int> wavelengths_at(int pixel, int pixels, int wavelengths) {
     return chosen;
 }
 
-/// Calls `look` with the explanations of every pixel, sample 0, at its wavelengths.
+/// Calls `look` with the explanations of every pixel, first sample of the picture, at its wavelengths.
 template <class Look>
 void for_each_tree(const SceneUnderTest& test, const Look& look) {
     const std::vector<double>& nm = test.plan->wavelengths_nm;
     const int pixels = test.image.width * test.image.height;
+    const auto sample = static_cast<std::uint32_t>(test.plan->settings.first_sample());
     for (int y = 0; y < test.image.height; ++y)
         for (int x = 0; x < test.image.width; ++x)
             for (const int w : wavelengths_at(y * test.image.width + x, pixels, static_cast<int>(nm.size())))
-                look(explain(*test.plan, x, y, 0, w), WorstPixel{x, y, nm[static_cast<std::size_t>(w)]});
+                look(explain(*test.plan, x, y, sample, w), WorstPixel{x, y, nm[static_cast<std::size_t>(w)]});
 }
 
 }  // namespace

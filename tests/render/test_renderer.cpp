@@ -109,7 +109,7 @@ TEST(Renderer, StopsSoonInsideOneEndlessTree) {
 
 // What `--time` does: when time is up, what is finished stays, and it is the mean of whole passes.
 TEST(Renderer, KeepsWholePassesWhenTimeIsUp) {
-    const StokesImage centers = test::render(picture("paper-glass-polarized", 1, 200));
+    const StokesImage first = test::render(picture("paper-glass-polarized", 1, 200));
     Renderer renderer(2, 16);
     renderer.start(picture("paper-glass-polarized", 4096, 200));
     while (renderer.progress().statistics.samples < 40U * 36U) renderer.wait_for(0.005);
@@ -119,8 +119,8 @@ TEST(Renderer, KeepsWholePassesWhenTimeIsUp) {
     std::uint64_t samples = 0;
     for (std::size_t p = 0; p < image.pixel_count(); ++p) {
         samples += image.samples[p];
-        if (image.samples[p] == 1) {  // sample 0 is the pixel center
-            ASSERT_EQ(image.at(0, p), centers.at(0, p));
+        if (image.samples[p] == 1) {
+            ASSERT_EQ(image.at(0, p), first.at(0, p));
         }
     }
     EXPECT_EQ(samples, renderer.progress().statistics.samples);

@@ -165,7 +165,7 @@ TEST(SessionExplanation, FollowsPinSampleAndWavelength) {
     EXPECT_EQ(found->sample_light, expected.sample_light);
 
     session.selection.sample = 100;
-    EXPECT_EQ(explained(session)->sample, 3U) << "the last there is";
+    EXPECT_EQ(explained(session)->sample, 4U) << "the last there is";
     session.unpin();
     session.update();
     EXPECT_EQ(session.explanation(), nullptr);

@@ -43,14 +43,21 @@ bool draw_tree_state(Session& session) {
 }
 
 void draw_sample_choice(Session& session) {
-    const int samples = session.current()->plan()->settings.samples_per_pixel;
-    if (samples < 2) return;
-    int sample = static_cast<int>(std::min(session.selection.sample, static_cast<std::uint32_t>(samples - 1)));
+    const RenderSettings& settings = session.current()->plan()->settings;
+    const int last = settings.last_sample();
+    if (last == 0) return;
+    int sample = std::min(static_cast<int>(session.selection.sample), last);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8.0F);
     if (ImGui::InputInt("Sample", &sample))
-        session.selection.sample = static_cast<std::uint32_t>(std::clamp(sample, 0, samples - 1));
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Which of the %d rays through the pixel; 0 goes through its centre", samples);
+        session.selection.sample = static_cast<std::uint32_t>(std::clamp(sample, 0, last));
+    if (!ImGui::IsItemHovered()) return;
+    if (settings.first_sample() == 0)
+        ImGui::SetTooltip("Which of the %d samples of the ray through the pixel's centre", last + 1);
+    else
+        ImGui::SetTooltip(
+            "0: the ray through the pixel's centre, which is no part of the picture; 1 to %d: the rays "
+            "that make it",
+            last);
 }
 
 }  // namespace pol
