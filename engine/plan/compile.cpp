@@ -2,12 +2,14 @@
 #include "plan/compile.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <string>
 
 #include "core/overloaded.h"
+#include "core/random.h"
 #include "geometry/mesh_check.h"
 #include "geometry/shapes.h"
 #include "plan/arrangement.h"
@@ -162,6 +164,19 @@ Result<Done> add_surface(const Scene& scene, const Object& object, int index, So
     return Done{};
 }
 
+/// WavelengthGroup::key. Directions are left out: a scene that is turned in space keeps its random numbers.
+std::uint32_t key_of(const std::vector<MediumAt>& media, const std::vector<Dielectric<double>>& plates) {
+    std::uint64_t key = 0;
+    const auto add = [&key](double constant) { key = mix_bits(key ^ std::bit_cast<std::uint64_t>(constant)); };
+    const auto add_dielectric = [&add](const Dielectric<double>& d) { add(d.n), add(d.n_e), add(d.kappa); };
+    for (const MediumAt& medium : media) {
+        add_dielectric(medium.dielectric);
+        add(medium.absorption.ordinary), add(medium.absorption.extraordinary);
+    }
+    for (const Dielectric<double>& plate : plates) add_dielectric(plate);
+    return static_cast<std::uint32_t>(key);
+}
+
 /// Wavelengths with equal constants of all media share a group.
 Result<Done> group_wavelengths(const Scene& scene, const MediaTable& media, Plan& plan) {
     plan.medium_names = media.names();
@@ -175,7 +190,7 @@ Result<Done> group_wavelengths(const Scene& scene, const MediaTable& media, Plan
                !(plan.groups[group].media == at.value() && same_plates(plan, static_cast<int>(group), plates.value())))
             ++group;
         if (group == plan.groups.size()) {
-            plan.groups.push_back({{}, at.value()});
+            plan.groups.push_back({{}, at.value(), key_of(at.value(), plates.value())});
             append_plates(plan, plates.value());
         }
         plan.groups[group].wavelengths.push_back(static_cast<int>(w));

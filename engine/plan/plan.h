@@ -2,6 +2,7 @@
 // The compiled scene: immutable, complete, and without anything that the picture does not need.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct MediumAt {
 struct WavelengthGroup {
     std::vector<int> wavelengths;  ///< indices into Plan::wavelengths_nm, ascending
     std::vector<MediumAt> media;   ///< by index into Plan::medium_names
+    /// Of its random numbers: follows from the constants alone, so that a wavelength has the same ones by itself, in
+    /// any list, and with any others in its group.
+    std::uint32_t key = 0;
 };
 
 constexpr std::size_t max_nested_meshes = 8;

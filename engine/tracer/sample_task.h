@@ -36,7 +36,7 @@ inline TraceTask sample_task(const Plan& plan, int x, int y, std::uint32_t sampl
     task.ray = plan.camera.ray(x + inside.x, y + inside.y);
     task.group = group;
     task.region = plan.camera_region >= 0 ? plan.camera_region : plan.region_at(task.ray.origin);
-    task.key = {plan.settings.seed, pixel, sample, static_cast<std::uint32_t>(group)};
+    task.key = {plan.settings.seed, pixel, sample, plan.groups[static_cast<std::size_t>(group)].key};
     task.residual = plan.settings.residual;
     task.node_budget = plan.settings.node_budget;
     return task;

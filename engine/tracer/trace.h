@@ -55,8 +55,12 @@ struct TraceResult {
 /// operations each stays below 1e-10 even if every rounding error had the same sign.
 constexpr double energy_tolerance = 1e-9;
 
-/// Steps after which a random tail is given up; its weight is then residual.
-constexpr int tail_limit = 1 << 16;
+/// Branches after which a random tail is given up; its weight is then residual. Light that total reflection traps has
+/// no end: the tail is work like the head, and gets as much of it again. A small budget leaves the tail enough to come
+/// out of any stone that light can leave.
+constexpr int tail_limit(int node_budget) {
+    return std::clamp(node_budget, 256, 1 << 16);
+}
 
 /// Traces samples of one plan; keeps its memory between samples. Not for sharing between threads.
 /// anisotropic, absorbing: what the plan needs (Features); the rest is not compiled in.
@@ -317,7 +321,7 @@ private:
         const TraceResult head = result_;
         observer_.tail_begins(node);
         bool ended = false;
-        for (int step = 0; step < tail_limit && !ended; ++step) {
+        for (int step = 0; step < tail_limit(task.node_budget) && !ended; ++step) {
             node.throughput.scale(std::sqrt(open / node.weight));
             node.weight = open;
             const std::uint32_t failures = result_.failures;

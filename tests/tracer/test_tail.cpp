@@ -3,6 +3,7 @@
 // for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/shipped_scenes.h"
@@ -106,6 +107,86 @@ TEST(Tail, OfARenderedPixelDiffersFromSampleToSample) {
     for (std::size_t p = 0; p < one.pixel_count(); ++p)
         if (!(one.at(0, p) == other.at(0, p))) ++different;
     EXPECT_GT(different, 5);
+}
+
+// From inside a glass cube (critical angle 41.8 degrees) a ray along the diagonal meets every face at 54.7 degrees:
+// total reflection without end. Nothing of it is known, and it costs no more than head and tail may.
+TEST(Tail, OfTrappedLightIsWorkThatHasAnEnd) {
+    for (const int budget : {1, 10, 1000, 3000}) {
+        Scene scene = test::scene_of(R"(
+camera: {position: [0.1, -0.05, 0], target: [1.1, 0.95, 1], fov: 1e-3}
+background: 1
+media: {glass: 1.5}
+objects: [{name: cube, shape: {box: {size: 1}}, medium: glass}]
+)");
+        scene.render.node_budget = budget;
+        const TraceResult result = test::explain_look(scene).result;
+        EXPECT_NEAR(result.residual, 1.0, 1e-12) << budget;  // 6000 roundings
+        EXPECT_EQ(result.tail, 0.0);
+        EXPECT_EQ(result.failures, 0U);
+        EXPECT_EQ(result.nodes, static_cast<std::uint32_t>(budget + std::max(budget, 256)));
+    }
+}
+
+// In a stone that light can leave, a tail after the shortest head comes to its end: what is given up is missing.
+TEST(Tail, OfAStoneComesToItsEnd) {
+    for (const char* name :
+         {"cube-calcite", "paper-calcite-unpolarized", "paper-glass-polarized", "twinned-crystals"}) {
+        Scene scene = test::shipped_scene(name);
+        scene.render.width = scene.render.height = 24;
+        scene.render.residual = 0.0;
+        scene.render.node_budget = 1;
+        const StokesImage image = test::render(scene);
+        double given_up = 0.0;
+        for (const double residual : image.residual) given_up += residual;
+        EXPECT_EQ(given_up, 0.0) << name;
+    }
+}
+
+// Partial renders: the random numbers of a wavelength follow from the matter, not from the company. Without dispersion
+// several wavelengths share a tree, with it (calcite) each has its own.
+TEST(Tail, OfAWavelengthIsTheSameAloneAndInEveryList) {
+    for (const char* crystal :
+         {"{ordinary: 1.4, extraordinary: 1.25, axis: [1, 2, 3]}", "{crystal: calcite, axis: [1, 2, 3]}"}) {
+        const auto picture = [&](std::vector<double> wavelengths_nm) {
+            Scene scene = test::scene_of(std::string(R"(
+camera: {position: [1.6, -3, 2.2], target: [0, 0, 0], fov: 28}
+background: 0.2
+media: {crystal: )") + crystal + R"(}
+objects:
+  - {name: cube, shape: {box: {size: 1}}, medium: crystal}
+)");
+            scene.render.width = scene.render.height = 9;
+            scene.render.residual = 1e-9;
+            scene.render.node_budget = 5;
+            scene.render.wavelengths_nm = std::move(wavelengths_nm);
+            return test::render(scene);
+        };
+        const std::vector<double> all{450.0, 500.0, 550.0, 600.0};
+        const StokesImage list = picture(all);
+        const StokesImage upper = picture({550.0, 600.0});
+        double tails = 0.0;
+        for (std::size_t w = 0; w < all.size(); ++w) {
+            const StokesImage alone = picture({all[w]});
+            for (std::size_t p = 0; p < list.pixel_count(); ++p) {
+                ASSERT_EQ(alone.at(0, p), list.at(w, p)) << crystal << ", " << all[w] << " nm, pixel " << p;
+                ASSERT_EQ(alone.tail[p], list.plane_value(list.tail, w, p));
+                tails += alone.tail[p];
+                if (w >= 2) {
+                    ASSERT_EQ(upper.at(w - 2, p), list.at(w, p));
+                }
+            }
+        }
+        EXPECT_GT(tails, 1.0) << "nothing was random";
+    }
+}
+
+// Wavelengths with trees of their own have random numbers of their own: their noise averages out in a color.
+TEST(Tail, OfWavelengthsWithOtherConstantsIsAnotherOne) {
+    Scene scene = prism(5);
+    const Plan& plan = *test::plan_of(scene);
+    std::get<UniaxialMedium>(scene.media[0].matter).ordinary = ConstantIndex{{1.41, 0.0}};
+    EXPECT_NE(test::plan_of(scene)->groups[0].key, plan.groups[0].key);
 }
 
 }  // namespace
