@@ -122,30 +122,36 @@ ErrorSums FilmSums::measure(const TileSums& tile) const {
         brightest_square[group] += square(brightest(w));
     }
     ErrorSums sums;
-    const bool count_tail = !layout.random_samples && !tile.tail.empty();
+    sums.has_tail = !tile.tail.empty();
+    const bool count_tail = !layout.random_samples && sums.has_tail;
     for (std::size_t pixel = 0; pixel < tile.samples.size(); ++pixel) {
         const std::uint32_t samples = tile.samples[pixel];
         if (samples == 0) continue;
         const double share = 1.0 / samples;
         for (std::size_t g = 0; g < groups(); ++g) {
             const std::size_t at = pixel * groups() + g;
-            const double residual = share * (tile.residual[at] + (count_tail ? tile.tail[at] : 0.0));
-            sums.residual += members[g] * residual;
-            sums.residual_max = std::max(sums.residual_max, residual);
-            sums.missing += brightest_square[g] * square(residual);
+            const double residual = share * tile.residual[at];
+            const double tail = count_tail ? share * tile.tail[at] : 0.0;
+            sums.residual += members[g] * (residual + tail);
+            sums.residual_max = std::max(sums.residual_max, residual + tail);
+            sums.missing += brightest_square[g] * square(truncation_bound(residual, tail));
         }
         double light = 0.0;
         for (std::size_t w = 0; w < wavelengths(); ++w)
             light += frobenius_square(tile.stokes[pixel * wavelengths() + w]);
         sums.light += square(share) * light;
         sums.count += static_cast<double>(wavelengths());
-        if (samples < 2 || tile.odd_minus_even.empty()) continue;
+        if (samples < 2 || tile.odd_minus_even.empty()) {
+            sums.has_single = true;
+            continue;
+        }
+        double half_error = 0.0;
         for (std::size_t w = 0; w < wavelengths(); ++w) {
             const std::size_t at = pixel * wavelengths() + w;
-            sums.half_error += frobenius_square(half_difference(tile.stokes[at], tile.odd_minus_even[at], samples));
+            half_error += frobenius_square(half_difference(tile.stokes[at], tile.odd_minus_even[at], samples));
         }
-        sums.halved_light += square(share) * light;
-        sums.has_halves = true;
+        sums.half_error += half_error;
+        sums.half_error_square += square(half_error);
     }
     return sums;
 }

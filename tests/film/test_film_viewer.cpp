@@ -226,11 +226,15 @@ TEST(FilmViewer, ThePicturesErrorIsRelativeToItsLight) {
         EXPECT_DOUBLE_EQ(status.error.residual_mean, (0.125 + 0.25 + tail) / 2.0);
         EXPECT_DOUBLE_EQ(status.error.residual_max, 0.25 + tail);
         const double light = 4.0 * 4.0 + 2.0 * 2.0 / 2.0;
-        const double missing = 0.25 * 0.25 + (0.5 + 2.0 * tail) * (0.5 + 2.0 * tail);
+        // Worst case: the tail tells of light of one polarization, the truth is as bright in the other one, and all
+        // that was not traced comes on top of that.
+        const double missing = 0.25 * 0.25 + std::pow(2.0 * tail, 2) + std::pow(0.5 + 2.0 * tail, 2);
         EXPECT_DOUBLE_EQ(status.error.truncation, std::sqrt(missing / light));
-        ASSERT_TRUE(status.error.sampling);
         // Half means 1 and 3: the mean is off by 1 in S0, ||dC|| = 1 / sqrt 2.
-        EXPECT_DOUBLE_EQ(*status.error.sampling, random_samples ? std::sqrt(0.5 / light) : 0.0);
+        if (random_samples)
+            EXPECT_DOUBLE_EQ(status.error.sampling.value(), std::sqrt(0.5 / light));
+        else
+            EXPECT_FALSE(status.error.sampling) << "of a random path without random samples only the bound is known";
     }
 }
 
@@ -242,7 +246,7 @@ TEST(FilmViewer, ABlackPictureFromWhichLightIsMissingHasNoRelativeError) {
     EXPECT_FALSE(film.status().error.sampling);
     ASSERT_TRUE(film.merge(pass_over({0, 0, 1, 1}, 1, 1, {}, {}, 0.5)));
     EXPECT_EQ(film.status().error.truncation, infinite);
-    EXPECT_EQ(film.status().error.sampling, 0.0);
+    EXPECT_FALSE(film.status().error.sampling) << "two black halves agree, and have seen nothing";
 }
 
 // The limits of performance.md with every plane in use: 200 B at one wavelength, 1.5 KiB at 21 with a tree each.

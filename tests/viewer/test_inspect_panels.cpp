@@ -18,6 +18,7 @@
 #include "viewer/panels/paths_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
+#include "viewer/panels/status_line.h"
 #include "viewer/pixel_export.h"
 #include "viewer/pixel_sheet.h"
 #include "viewer/reading_text.h"
@@ -141,6 +142,24 @@ TEST_F(Panels, TheRhombsPixelIsThatOfExplain) {
     const std::string copied = text_of(sheet);
     for (const double value : {sheet.matrix.xx, sheet.matrix.xy.re, sheet.matrix.xy.im, sheet.stokes.s3, m.dop})
         expect_says(copied, fmt::format("{:.17g}", value));
+}
+
+// Random tails scatter, and one of them per pixel tells nothing of it; glass at the pixel centres has none.
+TEST_F(Panels, TheStatusLineSaysWhatIsKnownOfTheSamplingError) {
+    struct Line {
+        static void draw(Session& session) { draw_status_line(session); }
+    } line;
+    Scene calcite = test::small(test::shipped_scene("cube-calcite"), 8);
+    pin_in(calcite, {4, 4});
+    expect_says(shown(line), "sampling not estimated");
+    pin_in(test::small(test::shipped_scene("cube-glass"), 8), {4, 4});
+    expect_says(shown(line), "no sampling error");
+    calcite.render.mode = SampleMode::area;
+    pin_in(calcite, {4, 4});
+    expect_says(shown(line), "sampling not estimated");
+    calcite.render.samples_per_pixel = 2;
+    pin_in(calcite, {4, 4});
+    expect_says(shown(line), "(estimated, 68 %)");
 }
 
 TEST_F(Panels, FrameAndConventionRelabelEverything) {

@@ -35,6 +35,8 @@ const char* why_it_ended(StopReason reason) {
             return "finished: error reached";
         case StopReason::truncation:
             return "stopped: needs a smaller residual";
+        case StopReason::dark:
+            return "stopped: no light to be relative to";
         case StopReason::cancelled:
             return "cancelled";
         case StopReason::memory:
@@ -48,8 +50,8 @@ void draw_progress(const Document& document, const RenderProgress& progress, con
     if (document.paused()) {
         entry("progress", color.warning, fmt::format("paused at {:.0f} %", 100.0 * progress.done), "Space goes on.");
     } else if (progress.finished) {
-        const bool well = progress.reason != StopReason::truncation && progress.reason != StopReason::cancelled &&
-                          progress.reason != StopReason::memory;
+        const bool well = progress.reason != StopReason::truncation && progress.reason != StopReason::dark &&
+                          progress.reason != StopReason::cancelled && progress.reason != StopReason::memory;
         entry("progress", well ? color.good : color.warning,
               fmt::format("{} in {}", why_it_ended(progress.reason), duration_text(progress.seconds)),
               "By the first of the rules: samples asked for, time, error.");
@@ -60,14 +62,21 @@ void draw_progress(const Document& document, const RenderProgress& progress, con
     }
 }
 
+std::string sampling_text(const PictureError& error) {
+    if (!error.sampling) return "sampling not estimated";
+    if (!error.random_samples) return "no sampling error";
+    return "sampling \u00b1" + percent(*error.sampling) + " (estimated, 68 %)";
+}
+
 /// The three figures that say how good the picture is.
 void draw_errors(const FilmStatus& film, const ThemeColors& color) {
     if (film.mean_samples <= 0.0) return;
     entry("bound", color.text, "off by at most " + percent(film.error.truncation),
           "How far the picture may be off because light was not traced: a rigorous bound, relative to the picture.");
-    if (film.error.sampling)
-        entry("sampling", color.text, "sampling \u00b1" + percent(*film.error.sampling) + " (estimated, 68 %)",
-              "How far the picture is off because of too few samples: an estimate from two independent halves.");
+    entry("sampling", color.text, sampling_text(film.error),
+          "How far the picture is off because of too few samples: in mode area an estimate from two independent\n"
+          "halves of them. In mode point every pixel is the light at its centre; where random paths stand for a part\n"
+          "of it, their error is within the bound, but not estimated.");
     entry("samples", color.text, fmt::format("{:.3g} sample{}", film.mean_samples, film.mean_samples == 1.0 ? "" : "s"),
           "Per pixel, on average.");
 }
