@@ -163,8 +163,8 @@ int run(const RenderRequest& request) {
 
     const auto output_start = Clock::now();
     StokesImage image = renderer.snapshot();
-    image.attributes.merge(
-        picture_attributes(scene, samples_per_pixel(plan->settings, outcome.value().progress), request.scene.scene));
+    const auto samples = static_cast<int>(outcome.value().progress.film.fewest_samples);
+    image.attributes.merge(picture_attributes(scene, samples, request.scene.scene));
     if (auto written = write_exr(image, request.output); !written) return report(written.error());
     timing.output_s = seconds_since(output_start);
 
@@ -197,9 +197,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
         "Ctrl-C stops, writes what is there and exits with 130 (SIGTERM: 143). Ctrl-Z pauses, fg goes on; a pause "
         "counts\n"
         "neither for --time nor for the time left.\n"
-        "\n--error E: light that is not traced (a bound, for which the residual is refined) and too few samples (an\n"
-        "estimate, 68 %) must each fall below half of E. Mode area unless --mode says otherwise; without --spp,\n"
-        "samples are added until then. Exit code 10 if --time or --spp ends it before.\n"
+        "\n--error E: light that is not traced (a bound, for which the residual is refined) and too few samples (a\n"
+        "limit of confidence, 95 % over all looks) must each fall below half of E. It is looked at when the samples\n"
+        "have doubled, from 16 on. Mode area unless --mode says otherwise; without --spp, samples are added until\n"
+        "then. Exit code 10 if --time or --spp ends it before, or the picture stays black.\n"
         "\nExamples:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr --wavelengths 380:780:20\n"
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"

@@ -35,6 +35,8 @@ std::string stop_text(const RenderOutcome& outcome) {
             return "error";
         case StopReason::truncation:
             return "truncation";
+        case StopReason::dark:
+            return "dark";
         case StopReason::cancelled:
             return "signal";
         case StopReason::memory:
@@ -67,6 +69,8 @@ Json error_rule_json(const RenderRequest& request, const RenderOutcome& outcome)
     for (const ErrorReport& report : outcome.reports) {
         Json pass = {{"samples", report.samples}, {"seconds", report.seconds}};
         pass.update(error_json(report.error));
+        const auto limit = sampling_limit(report);
+        pass["sampling_limit"] = limit ? number(*limit) : Json(nullptr);
         passes.push_back(pass);
     }
     const auto last = last_to_fall(outcome.reports, *request.error);
@@ -77,14 +81,9 @@ Json error_rule_json(const RenderRequest& request, const RenderOutcome& outcome)
 
 }  // namespace
 
-int samples_per_pixel(const RenderSettings& settings, const RenderProgress& progress) {
-    return progress.reason == StopReason::error ? static_cast<int>(progress.film.fewest_samples)
-                                                : settings.samples_per_pixel;
-}
-
 void print_error_report(const ErrorReport& report) {
-    const std::string sampling =
-        report.error.sampling ? fmt::format("{:.3g} (68 %)", *report.error.sampling) : "not known yet";
+    std::string sampling = report.error.sampling ? fmt::format("{:.3g} (68 %)", *report.error.sampling) : "not known";
+    if (const auto limit = sampling_limit(report)) sampling += fmt::format(", at most {:.3g} (95 %)", *limit);
     remark(fmt::format("{} sample{} per pixel, {}: bound of truncation {:.3g}, estimate of sampling {}\n",
                        report.samples, report.samples == 1 ? "" : "s", duration_text(report.seconds),
                        report.error.truncation, sampling));
@@ -107,7 +106,9 @@ Result<Done> write_statistics(const RenderRequest& request, const Plan& plan, co
     out["mode"] = plan.settings.mode == SampleMode::area ? "area" : "point";
     out["wavelengths_nm"] = plan.wavelengths_nm;
     out["trees_per_sample"] = plan.groups.size();
-    out["spp"] = samples_per_pixel(plan.settings, outcome.progress);
+    out["spp"] = outcome.progress.film.fewest_samples;
+    out["spp_mean"] = outcome.progress.film.mean_samples;
+    out["spp_wanted"] = outcome.open_ended ? Json(nullptr) : Json(plan.settings.samples_per_pixel);
     out["residual_target"] = plan.settings.residual;
     out["depth_limit"] = plan.settings.depth ? Json(*plan.settings.depth) : Json(nullptr);
     out["seed"] = plan.settings.seed;
@@ -145,13 +146,16 @@ void print_picture(const RenderRequest& request, const RenderOutcome& outcome, c
     fmt::print("{}: {}x{}, {} wavelength{}, {}{}, {} rays, untraced at most {:.3g} % of a pixel{}\n",
                printable(request.output), image.width, image.height, image.wavelengths_nm.size(),
                image.wavelengths_nm.size() == 1 ? "" : "s",
-               samples > 1.0 ? fmt::format("{:.1f} samples per pixel, ", samples) : "", duration_text(outcome.seconds),
+               samples != 1.0 ? fmt::format("{:.3g} samples per pixel, ", samples) : "", duration_text(outcome.seconds),
                count_text(statistics.nodes), 100.0 * largest(image.residual), guessed);
     if (outcome.progress.reason != StopReason::error) return;
-    const PictureError& error = outcome.progress.film.error;
+    const ErrorReport& report = outcome.reports.back();
     const auto last = last_to_fall(outcome.reports, *request.error);
-    fmt::print("{}: error below {:.3g} of the picture: at most {:.3g} by truncation, {:.3g} (68 %) by sampling{}\n",
-               printable(request.output), *request.error, error.truncation, error.sampling.value_or(0.0),
+    const std::string sampling = report.error.random_samples
+                                     ? fmt::format(", {:.3g} (95 %) by sampling", sampling_limit(report).value_or(0.0))
+                                     : (report.error.sampling ? "" : ", what random paths may miss included");
+    fmt::print("{}: error below {:.3g} of the picture: at most {:.3g} by truncation{}{}\n", printable(request.output),
+               *request.error, report.error.truncation, sampling,
                last ? fmt::format("; {} was the last to fall", part_text(*last)) : "");
 }
 
@@ -164,6 +168,11 @@ std::string shortfall(const RenderRequest& request, const RenderOutcome& outcome
         case StopReason::cancelled:
             return fmt::format("stopped after {}; {} holds {}", after, printable(request.output), share);
         case StopReason::time:
+            if (outcome.progress.film.fewest_samples == 0)
+                return fmt::format(
+                    "the time limit came after {}, before every pixel had a sample; {} is black where "
+                    "there is none\n  hint: a longer --time, or a smaller --size",
+                    after, printable(request.output));
             if (outcome.open_ended && !request.error) return {};
             return fmt::format("the time limit came after {}; {} holds {}", after, printable(request.output), share);
         case StopReason::truncation:
@@ -171,6 +180,11 @@ std::string shortfall(const RenderRequest& request, const RenderOutcome& outcome
                 "no residual brings the light that is not traced below half of {:.3g} of the picture; {} holds what "
                 "was done\n  hint: a larger --node-budget, --mode area, or no --depth",
                 *request.error, printable(request.output));
+        case StopReason::dark:
+            return fmt::format(
+                "no light in {} samples per pixel: a black picture has no relative error; {} holds what was done\n"
+                "  hint: is there a lamp that the camera can see, and does it face the scene?",
+                outcome.progress.film.fewest_samples, printable(request.output));
         case StopReason::samples:
             if (!request.error) return {};
             return fmt::format("the samples ended before the error fell below {:.3g}\n  hint: a larger --spp, or none",

@@ -38,9 +38,6 @@ struct RenderTiming {
     double output_s = 0.0;
 };
 
-/// Samples per pixel that make the same picture: those that are there if the error rule ended it.
-int samples_per_pixel(const RenderSettings& settings, const RenderProgress& progress);
-
 /// One line about the error after a pass, on stderr.
 void print_error_report(const ErrorReport& report);
 

@@ -22,11 +22,10 @@ std::uint32_t pass_end(std::uint32_t first_sample, std::uint32_t wanted) {
     return std::min(wanted, first_sample + length);
 }
 
-/// Samples at which the error is looked at after `samples`: some more, at the end of a pass.
+/// Samples at which the error is looked at after `samples`, at the end of a pass: whoever looks more often stops at
+/// luckier moments (sampling_limit).
 std::uint32_t next_look(std::uint32_t samples, std::uint32_t wanted) {
-    std::uint32_t end = pass_end(samples, wanted);
-    while (end < wanted && end < samples + samples / 4) end = pass_end(end, wanted);
-    return end;
+    return samples < wanted / 2 ? 2 * samples : wanted;
 }
 
 bool is_same(const RenderTask& a, const RenderTask& b) {
@@ -156,9 +155,9 @@ RenderProgress RenderJob::progress() const {
 
     double left = seconds_to_limit();
     if (progress.done > 0.0) left = std::min(left, seconds_ / progress.done - seconds_);
-    if (!reports_.empty() && reports_.back().error.sampling && rules_.error) {
+    if (!reports_.empty() && sampling_limit(reports_.back()) && rules_.error) {
         // Halves of quasi-random samples: the error falls like N^-0.75 (performance.md 0.8).
-        const double factor = std::pow(2.0 * *reports_.back().error.sampling / *rules_.error, 4.0 / 3.0);
+        const double factor = std::pow(2.0 * *sampling_limit(reports_.back()) / *rules_.error, 4.0 / 3.0);
         left = std::min(left, std::max(0.0, reports_.back().seconds * factor - seconds_));
     }
     if (progress.finished)

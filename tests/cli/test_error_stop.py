@@ -22,18 +22,26 @@ class ErrorStop(ProgramTest):
         passes = PASS.findall(done.stderr)
         self.assertEqual([int(samples) for samples, _, _ in passes], [p["samples"] for p in said["error_rule"]["passes"]])
         self.assertEqual(passes[-1][0], str(said["spp"]))
-        self.assertGreaterEqual(said["spp"], 8)
-        self.assertIn("not known yet", passes[0][2])
+        self.assertGreaterEqual(said["spp"], 16)
+        self.assertEqual([p["samples"] for p in said["error_rule"]["passes"]],
+                         [2 ** k for k in range(len(passes))], "looks are doublings")
+        self.assertEqual(passes[0][2], "not known")
         self.assertIn("(68 %)", passes[-1][2])
+        self.assertIn("(95 %)", passes[-1][2])
         self.assertEqual(said["stop_reason"], "error")
         self.assertEqual(said["mode"], "area")
         self.assertEqual(said["error_rule"]["target"], 0.1)
         self.assertLessEqual(said["error"]["truncation"], 0.05)
         self.assertLessEqual(said["error"]["sampling"], 0.05)
-        self.assertGreater(said["error_rule"]["passes"][-2]["sampling"], 0.05, "it could have stopped before")
+        last = said["error_rule"]["passes"][-1]
+        self.assertLessEqual(last["sampling"], last["sampling_limit"])
+        self.assertLessEqual(last["sampling_limit"], 0.05)
+        before = said["error_rule"]["passes"][-2]["sampling_limit"]
+        self.assertTrue(before is None or before > 0.05, "it could have stopped before")
         self.assertEqual(said["error_rule"]["last_to_fall"], "sampling")
         self.assertIn("sampling was the last to fall", done.stdout)
         self.assertEqual(said["camera_samples"], 40 * 40 * said["spp"])
+        self.assertEqual((said["spp_mean"], said["spp_wanted"]), (said["spp"], None))
 
     def test_the_residual_is_refined_where_light_is_missing(self):
         done, said = self.render(*GLASS, "--residual", "0.5", "--error", "0.1")
@@ -64,6 +72,18 @@ class ErrorStop(ProgramTest):
                 self.assertIn(says, done.stderr)
                 self.assertIsNone(said["error_rule"]["last_to_fall"])
                 self.succeed("maps", "out.exr", "--map", "intensity", "-o", "out.png")
+
+    def test_the_statistics_say_the_samples_that_were_taken(self):
+        _, said = self.render(*GLASS, "--mode", "area", "--time", "1")
+        self.assertLessEqual(said["spp"], said["spp_mean"])
+        self.assertAlmostEqual(said["camera_samples"], 40 * 40 * said["spp_mean"], delta=1e-6 * said["camera_samples"])
+        _, said = self.render(*GLASS, "--error", "1e-3", "--spp", "4", code=10)
+        self.assertEqual((said["spp"], said["spp_wanted"]), (4, 4))
+
+    def test_nothing_sampled_is_not_done(self):
+        done, said = self.render(GLASS[0], "--size", "600x600", "--mode", "area", "--time", "0.001", code=10)
+        self.assertEqual(said["spp"], 0)
+        self.assertIn("before every pixel had a sample", done.stderr)
 
     def test_quiet_is_quiet(self):
         done, _ = self.render(*GLASS, "--error", "0.2", "--quiet")

@@ -73,8 +73,8 @@ void draw_stop_rules(Document& document) {
     const bool time =
         draw_rule("seconds", rules.seconds, 60.0, "Stops after this time. A change starts the render over.");
     const bool error = draw_rule("error", rules.error, 0.01,
-                                 "Stops when truncation and sampling have each fallen to half of this part of the "
-                                 "picture. A change starts the render over.");
+                                 "Stops when truncation (bound) and sampling (95 %) have each fallen to half of this "
+                                 "part of the picture. A change starts the render over.");
     if (time || error) document.set_stop_rules(rules);
 }
 
