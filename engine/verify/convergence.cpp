@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/convergence.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <map>
 #include <memory>
 
 #include "core/number_text.h"
+#include "core/random.h"
 #include "io/exr_file.h"
 #include "io/input_file.h"
 #include "io/output_file.h"
 #include "io/scene_hash.h"
 #include "plan/compile.h"
+#include "polarization/coherence_matrix.h"
 #include "render/renderer.h"
 #include "verify/invariants.h"
 #include "verify/machine.h"
@@ -49,6 +54,8 @@ private:
     /// Empty when the user stops it; an error if the scene does not compile.
     Result<std::optional<Shot>> shoot(const RenderSettings& settings, SolidKernel kernel);
     Result<Done> find_reference();
+    Result<Done> check_given_reference(const RenderSettings& deep);
+    [[nodiscard]] RenderSettings deepest() const;
     Result<Done> load_rows();
     Result<bool> measure_setting(const RunSetting& setting, std::uint64_t seed);
     [[nodiscard]] const RunRow* row_of(const RunSetting& setting, std::uint64_t seed) const;
@@ -142,29 +149,8 @@ Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, SolidKe
     return std::optional(std::move(shot));
 }
 
-/// A smaller residual, more branches, more samples, and Embree instead of half-spaces where the scene allows it; twice,
-/// with seeds that no run has, so that their difference tells the reference's own error.
-Result<Done> Sweep::find_reference() {
-    const std::size_t wavelengths = request_.scene.render.wavelengths_nm.size();
-    if (request_.reference) {
-        auto read = read_exr(*request_.reference);
-        if (!read) return read.error();
-        reference_ = std::move(read).value();
-        const RenderSettings& s = request_.scene.render;
-        if (reference_.width != s.width || reference_.height != s.height ||
-            reference_.wavelengths_nm.size() != wavelengths)
-            return Error{ErrorKind::usage,
-                         "the reference has another size or other wavelengths than the runs",
-                         {request_.reference->string(), 0, 0},
-                         "--reference",
-                         "give --size and --wavelengths of the reference"};
-        result_.reference_id = request_.reference->filename().string();
-        // All that is known of a foreign picture is the rounding of its numbers.
-        result_.reference_error = 6e-8;
-        if (!reference_.residual.empty() && reference_.brightest.size() == wavelengths)
-            result_.reference_error += relative_bound(reference_, reference_);
-        return Done{};
-    }
+/// A smaller residual, more branches and more samples than any run has.
+RenderSettings Sweep::deepest() const {
     double smallest = 1.0;
     int most_samples = 1;
     int largest_budget = 1;
@@ -181,6 +167,71 @@ Result<Done> Sweep::find_reference() {
     // Tails are unbiased: over many samples they need no larger head.
     deep.node_budget = area ? largest_budget : 8 * largest_budget;
     deep.samples_per_pixel = area ? 4 * most_samples : 1;
+    deep.seed = 0x5eed0001ULL;
+    return deep;
+}
+
+/// Root mean square of the standard errors that a picture comes with, in the unit of fro_c; 0: it has none.
+double admitted_sampling(const StokesImage& image) {
+    double sum = 0.0;
+    for (const Stokes<double>& error : image.sampling_error)
+        if (std::isfinite(error.s0)) sum += frobenius_square(error);
+    return sum > 0.0 ? std::sqrt(sum / static_cast<double>(image.stokes.size())) / matrix_rms(image) : 0.0;
+}
+
+/// Of a foreign picture nothing is known but what it says itself, and that it must not contradict ours.
+Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
+    auto read = read_exr(*request_.reference);
+    if (!read) return read.error();
+    reference_ = std::move(read).value();
+    const auto refuse = [this](std::string what, std::string hint) {
+        return Error{ErrorKind::usage, std::move(what), {request_.reference->string(), 0, 0}, "--reference", hint};
+    };
+    const RenderSettings& s = request_.scene.render;
+    // Files name wavelengths to 1e-6 nm.
+    const auto same_nm = [](double a, double b) { return std::abs(a - b) < 1e-5; };
+    if (reference_.width != s.width || reference_.height != s.height ||
+        !std::equal(s.wavelengths_nm.begin(), s.wavelengths_nm.end(), reference_.wavelengths_nm.begin(),
+                    reference_.wavelengths_nm.end(), same_nm))
+        return refuse("the reference has another size or other wavelengths than the runs",
+                      "give --size and --wavelengths of the reference");
+    std::uint64_t content = 0;
+    for (const Stokes<double>& light : reference_.stokes)
+        for (const double value : {light.s0, light.s1, light.s2, light.s3}) {
+            if (!std::isfinite(value))
+                return refuse("a number of the reference is not finite", "polariscope check names it");
+            content = mix_bits(content ^ std::bit_cast<std::uint64_t>(value));
+        }
+    // A file of the same name may hold another picture tomorrow: runs against that are not to be mixed with these.
+    result_.reference_id = fmt::format("{} ({:016x})", request_.reference->filename().string(), content);
+
+    doing_ = "our own picture, to check the reference";
+    const auto shot = shoot(deep, SolidKernel::half_spaces);
+    if (!shot) return shot.error();
+    if (!shot.value()) return Done{};
+    const StokesImage& own = shot.value()->image;
+    const double admitted = float_rounding + relative_bound(reference_, reference_) + admitted_sampling(reference_);
+    ReferenceCheck check;
+    check.difference = error_metrics(own, reference_).fro_c.whole;
+    StokesImage untraced = own;
+    const bool area = deep.mode == SampleMode::area;
+    if (area) untraced.tail.clear();  // unbiased: its scatter is in the sampling error
+    // The estimate of our own sampling error has few degrees of freedom where few pixels make most of it.
+    constexpr double certain = 4.0;
+    const double allowed_by_ours = relative_bound(untraced, reference_) + certain * admitted_sampling(own);
+    check.allowed = allowed_by_ours + admitted;
+    if (!area) check.covered = bound_coverage(own, reference_, float_rounding).covered;
+    result_.reference_check = check;
+    result_.reference_error = std::max(admitted, check.difference - allowed_by_ours);
+    return Done{};
+}
+
+/// Our own: the deepest picture, by Embree instead of half-spaces where the scene allows it; twice, with seeds that no
+/// run has, so that their difference tells the reference's own error.
+Result<Done> Sweep::find_reference() {
+    RenderSettings deep = deepest();
+    if (request_.reference) return check_given_reference(deep);
+    const bool area = deep.mode == SampleMode::area;
     Scene probe = request_.scene;
     const bool embree = static_cast<bool>(compile(probe, SolidKernel::embree));
     result_.reference_id = std::string("own: residual ") + number_text(deep.residual) + ", " +
@@ -276,7 +327,7 @@ void Sweep::fill_errors(RunRow& row, const Shot& shot, const RenderSettings& set
     if (!deep || deep.value() == nullptr) return;
     const StokesImage truth = at_wavelengths(*deep.value(), settings.wavelengths_nm);
     row.truncation = error_metrics(shot.image, truth).fro_c.whole;
-    const BoundCoverage coverage = bound_coverage(shot.image, truth);
+    const BoundCoverage coverage = bound_coverage(shot.image, truth, double_rounding);
     row.bound_fro = relative_bound(shot.image, truth);
     row.bound_mean = coverage.mean;
     row.bound_max = coverage.largest;
@@ -338,8 +389,8 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     fill_errors(row, best, settings, seed == 0);
     if (stopped_) return false;
     const auto before = previous_.find(key_of(setting));
-    // The difference of two independent pictures has twice the variance of one.
-    if (before != previous_.end())
+    // The difference of two independent pictures has twice the variance of one; equal pictures are not independent.
+    if (before != previous_.end() && before->second.stokes != best.image.stokes)
         row.sampling = error_metrics(best.image, before->second).fro_c.whole / std::sqrt(2.0);
     previous_[key_of(setting)] = std::move(best.image);
     result_.rows.push_back(std::move(row));

@@ -36,10 +36,24 @@ struct ConvergenceRequest {
     std::string tool_version;
 };
 
+/// A reference that was given, held against our own deepest picture.
+struct ReferenceCheck {
+    double difference = 0.0;  ///< fro_c between the two
+    double allowed = 0.0;     ///< of it, by the bounds of both and four times our estimate of sampling
+    /// Share of pixels that both bounds allow (bound_coverage); in mode area, where sampling comes on top,
+    /// not_measured.
+    double covered = not_measured;
+
+    /// One of the two pictures is wrong by more than it admits.
+    [[nodiscard]] bool contradicts() const { return !(difference <= allowed) || covered < 1.0; }
+};
+
 struct ConvergenceResult {
-    std::vector<RunRow> rows;      ///< in the order in which they were made
-    std::string reference_id;      ///< how the reference was made, for people
-    double reference_error = 0.0;  ///< fro_c, estimated
+    std::vector<RunRow> rows;  ///< in the order in which they were made
+    std::string reference_id;  ///< how the reference was made, for people
+    /// fro_c: estimated for our own reference. Of a given one, what it admits or what the check proves, the larger.
+    double reference_error = 0.0;
+    std::optional<ReferenceCheck> reference_check;  ///< of a given reference
     std::optional<RoundingError> rounding;
     std::vector<AnytimePoint> anytime;  ///< of the scene at its own settings
     bool complete = false;              ///< false: stopped early; the rows so far are in runs.csv

@@ -216,13 +216,15 @@ std::string convergence_section(const ConvergenceRequest& request, const Converg
     std::string body = "<p><code>" + xml_text(command) + "</code></p>\n";
     body += fmt::format(
         "<p>{} at {}x{} pixels, {} wavelength{}, mode {}, polariscope {}, {} thread{} of {}, {}, load {:.2g} when it "
-        "began. Reference: {}; its own error is {:.1e}, and no point below three times that is drawn. Times are those "
+        "began. Reference: {}; <span class=\"{}\">{}</span>. No point below three times {:.1e} is drawn. Times are "
+        "those "
         "of "
         "the tracing alone, the shortest of up to {} runs; scene hash {}.</p>\n",
         xml_text(request.scene_name), any.width, any.height, request.scene.render.wavelengths_nm.size(),
         request.scene.render.wavelengths_nm.size() == 1 ? "" : "s", any.mode, xml_text(any.tool_version), any.threads,
         any.threads == 1.0 ? "" : "s", xml_text(any.cpu), any.timestamp, any.host_load, xml_text(result.reference_id),
-        result.reference_error, request.most_repeats, any.scene_hash);
+        result.reference_check && result.reference_check->contradicts() ? "bad" : "soft",
+        xml_text(text_about_reference(result)), result.reference_error, request.most_repeats, any.scene_hash);
     if (!result.complete) body += "<p class=\"bad\">Stopped before the last run: the curves are not complete.</p>\n";
 
     body += "<div class=\"plots\">\n";
@@ -252,23 +254,21 @@ std::string convergence_section(const ConvergenceRequest& request, const Converg
 
     body +=
         "<h3>The error taken apart</h3>\n<p><span style=\"color:#3b7dd8\">truncation</span>: against a deeper render "
-        "of the same samples; <span style=\"color:#d87b3b\">sampling</span>: scatter of independent seeds; <span "
+        "of the same samples; <span style=\"color:#d87b3b\">sampling</span>: scatter of independent seeds, unknown "
+        "where nothing scattered; <span "
         "style=\"color:#7a4fc0\">spectral</span>: color against every second wavelength; floating point: of the scene "
         "at "
         "its own settings. Empty: does not apply.</p>\n"
         "<table>" +
         row_of({"setting", "truncation", "its bound", "sampling", "spectral", "floating point", "shares"}, "th");
     for (const ErrorBudget& budget : error_budgets(result.rows))
-        body +=
-            row_of({budget.setting, number(budget.truncation), number(budget.truncation_bound), number(budget.sampling),
-                    number(budget.spectral), number(budget.floating_point), budget_bar(budget)});
+        body += row_of({budget.setting, number(budget.truncation), number(budget.truncation_bound),
+                        std::isnan(budget.sampling) ? "unknown" : number(budget.sampling), number(budget.spectral),
+                        number(budget.floating_point), budget_bar(budget)});
     body += "</table>\n";
     if (result.rounding) body += "<p>Floating point: " + text_of(*result.rounding) + ".</p>\n";
-    const double coverage = worst_bound_coverage(result.rows);
-    if (!std::isnan(coverage))
-        body +=
-            fmt::format("<p>Bounds hold in <span class=\"{}\">{:.2f} %</span> of the pixels (must be 100.00).</p>\n",
-                        coverage < 1.0 ? "bad" : "good", 100.0 * coverage);
+    body += fmt::format("<p>Of our own pictures: <span class=\"{}\">{}</span> (must be 100.00).</p>\n",
+                        worst_bound_coverage(result.rows) == 1.0 ? "good" : "bad", text_about_bounds(result));
 
     body +=
         "<h3>Pictures at three budgets</h3>\n<p>Above the picture, below its error on a logarithmic scale: dark 1e-6, "

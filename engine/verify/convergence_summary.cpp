@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/convergence_summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -94,7 +96,8 @@ CurvePoint point_of(const Group& group) {
     point.wall_s = spread(rows, [](const RunRow& row) { return row.render_wall_s; }).middle;
     point.bound = spread(rows, [](const RunRow& row) { return row.bound_fro; }).middle;
     point.seeds = static_cast<int>(rows.size());
-    point.below_floor = !(point.error >= 3.0 * rows.front()->reference_error);
+    point.reference_error = rows.front()->reference_error;
+    point.below_floor = !(point.error >= 3.0 * point.reference_error);
     return point;
 }
 
@@ -138,7 +141,7 @@ std::vector<Cheapest> cheapest(const std::vector<Curve>& curves, const std::vect
         best.error = error;
         for (const Curve& curve : curves) {
             for (const CurvePoint& point : curve.points) {
-                if (!(point.error <= error) || (best.point && best.point->cpu_s <= point.cpu_s)) continue;
+                if (!(point.error + point.reference_error <= error) || (best.point && best.point->cpu_s <= point.cpu_s)) continue;
                 best.point = point;
                 best.series = curve.series;
             }
@@ -164,6 +167,34 @@ std::vector<ErrorBudget> error_budgets(const std::vector<RunRow>& rows) {
         }
     }
     return result;
+}
+
+std::string text_about_reference(const ConvergenceResult& result) {
+    if (!result.reference_check) return fmt::format("its own error {:.1e}", result.reference_error);
+    const ReferenceCheck& check = *result.reference_check;
+    if (!check.contradicts())
+        return fmt::format(
+            "its own error is not known, but it agrees with our own deepest picture: {:.1e} apart, {:.1e} allowed",
+            check.difference, check.allowed);
+    return fmt::format(
+        "it is WRONG, or of another scene: {:.1e} from our own deepest picture, {:.1e} allowed{}; "
+        "at least {:.1e} of every error is its own",
+        check.difference, check.allowed,
+        check.covered < 1.0 ? fmt::format(", outside the bounds in {:.2f} % of the pixels",
+                                          std::ceil(1e4 * (1.0 - check.covered)) / 100.0)
+                            : "",
+        result.reference_error);
+}
+
+bool bounds_hold(const ConvergenceResult& result) {
+    return worst_bound_coverage(result.rows) == 1.0 &&
+           !(result.reference_check && result.reference_check->contradicts());
+}
+
+std::string text_about_bounds(const ConvergenceResult& result) {
+    const double coverage = worst_bound_coverage(result.rows);
+    if (std::isnan(coverage)) return "bounds were not measured";
+    return fmt::format("bounds hold in {:.2f} % of the pixels", std::floor(1e4 * coverage) / 100.0);
 }
 
 double worst_bound_coverage(const std::vector<RunRow>& rows) {

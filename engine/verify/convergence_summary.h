@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/convergence.h"
 #include "verify/run_table.h"
 
 namespace pol::verify {
@@ -22,6 +23,7 @@ struct CurvePoint {
     double cpu_high = 0.0;
     double bound = not_measured;  ///< rigorous, of fro_c by truncation
     int seeds = 0;
+    double reference_error = 0.0;
     bool below_floor = false;  ///< less than three times the reference's own error: not to be plotted
 };
 
@@ -36,7 +38,7 @@ struct Curve {
 /// Curves in the order in which their series first appear.
 std::vector<Curve> curves(const std::vector<RunRow>& rows);
 
-/// What is known to reach an error at least cost.
+/// What is known to reach an error at least cost: its own error and the reference's together.
 struct Cheapest {
     double error = 0.0;
     std::optional<CurvePoint> point;  ///< none: no setting reached it
@@ -56,6 +58,16 @@ struct ErrorBudget {
     double floating_point = not_measured;
 };
 std::vector<ErrorBudget> error_budgets(const std::vector<RunRow>& rows);
+
+/// What is known of the reference's own error, as half a sentence.
+std::string text_about_reference(const ConvergenceResult& result);
+
+/// Whether the bounds were found to hold, in all pixels, of our pictures and of a given reference. False also if
+/// nothing was measured.
+bool bounds_hold(const ConvergenceResult& result);
+
+/// "bounds hold in ... % of the pixels", rounded down: 100 % says all. Says so if none was measured.
+std::string text_about_bounds(const ConvergenceResult& result);
 
 /// Share of pixels, over all runs in which it was measured, whose error the bound holds; not_measured: none.
 double worst_bound_coverage(const std::vector<RunRow>& rows);

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/contract.h"
 #include "core/vec.h"
+#include "film/picture_error.h"
 #include "maps/color_picture.h"
 #include "polarization/coherence_matrix.h"
 #include "polarization/measures.h"
@@ -52,6 +54,12 @@ double half_poincare_angle(const Stokes<double>& a, const Stokes<double>& b) {
     const DVec3 u(a.s1, a.s2, a.s3);
     const DVec3 v(b.s1, b.s2, b.s3);
     return 0.5 * std::atan2(std::sqrt(length2(cross(u, v))), dot(u, v));
+}
+
+/// A relative error: of nothing, nothing is 0 and anything else infinite.
+double relative(double error, double unit) {
+    if (unit > 0.0) return error / unit;
+    return error > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
 }  // namespace
@@ -116,8 +124,9 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
     }
     const double fro_unit = count > 0.0 ? std::sqrt(fro_of_reference / count) : 0.0;
     const double s0_unit = count > 0.0 ? std::sqrt(s0_of_reference / count) : 0.0;
-    result.fro_c = fro.metric(fro_unit > 0.0 ? fro.root_mean() / fro_unit : 0.0, fro_unit);
-    result.rel_rmse_s0 = s0.metric(s0_unit > 0.0 ? s0.root_mean() / s0_unit : 0.0, s0_unit);
+    constexpr double nothing_to_compare = std::numeric_limits<double>::infinity();
+    result.fro_c = fro.metric(count > 0.0 ? relative(fro.root_mean(), fro_unit) : nothing_to_compare, fro_unit);
+    result.rel_rmse_s0 = s0.metric(relative(s0.root_mean(), s0_unit), s0_unit);
     result.mrse_s0 = relative_s0.metric(relative_s0.mean_square(), 1.0);
     result.analyzer_inf = analyzer.metric(0.0, 1.0);
     result.analyzer_inf.whole = result.analyzer_inf.largest;
@@ -150,10 +159,18 @@ double matrix_rms(const StokesImage& image) {
 
 namespace {
 
-/// Bound of the light that a pixel lacks or has too much.
-double bound_of(const StokesImage& image, std::size_t wavelength, std::size_t pixel) {
-    return (image.plane_value(image.residual, wavelength, pixel) + image.plane_value(image.tail, wavelength, pixel)) *
-           image.brightest[wavelength];
+/// Bounds of |dS0| and of |dC|_F, light that a pixel lacks or has too much.
+struct PixelBound {
+    double s0 = 0.0;
+    double matrix = 0.0;
+};
+
+PixelBound bound_of(const StokesImage& image, std::size_t wavelength, std::size_t pixel) {
+    if (image.brightest.empty()) return {};
+    const double residual = image.plane_value(image.residual, wavelength, pixel);
+    const double tail = image.plane_value(image.tail, wavelength, pixel);
+    const double brightest = image.brightest[wavelength];
+    return {(residual + tail) * brightest, truncation_bound(residual, tail) * brightest};
 }
 
 }  // namespace
@@ -162,15 +179,13 @@ double relative_bound(const StokesImage& image, const StokesImage& reference) {
     POL_EXPECTS(image.brightest.size() == image.wavelengths_nm.size());
     double sum = 0.0;
     for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w)
-        for (std::size_t p = 0; p < image.pixel_count(); ++p) sum += std::pow(bound_of(image, w, p), 2);
-    const double rms = matrix_rms(reference);
-    return rms > 0.0 ? std::sqrt(sum / static_cast<double>(image.stokes.size())) / rms : 0.0;
+        for (std::size_t p = 0; p < image.pixel_count(); ++p) sum += std::pow(bound_of(image, w, p).matrix, 2);
+    return relative(std::sqrt(sum / static_cast<double>(image.stokes.size())), matrix_rms(reference));
 }
 
-BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference) {
-    POL_EXPECTS(test.stokes.size() == reference.stokes.size() && test.brightest.size() == test.wavelengths_nm.size() &&
-                reference.brightest.size() == reference.wavelengths_nm.size());
-    constexpr double rounding = 1e-11;
+BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double rounding) {
+    POL_EXPECTS(!test.stokes.empty() && test.stokes.size() == reference.stokes.size() &&
+                test.brightest.size() == test.wavelengths_nm.size());
     constexpr double known_better = 0.1;
     BoundCoverage result;
     std::vector<double> ratios;
@@ -178,12 +193,16 @@ BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& referen
     double sum = 0.0;
     for (std::size_t w = 0; w < test.wavelengths_nm.size(); ++w) {
         for (std::size_t p = 0; p < test.pixel_count(); ++p) {
-            const double bound = bound_of(test, w, p);
-            const double of_reference = bound_of(reference, w, p);
-            const double error = std::abs(test.at(w, p).s0 - reference.at(w, p).s0);
-            if (error <= bound + of_reference + rounding * test.brightest[w]) ++inside;
-            if (bound > 0.0 && of_reference <= known_better * bound) ratios.push_back(error / bound);
-            const double share = test.brightest[w] > 0.0 ? bound / test.brightest[w] : 0.0;
+            const PixelBound bound = bound_of(test, w, p);
+            const PixelBound of_reference = bound_of(reference, w, p);
+            const Stokes<double> difference = test.at(w, p) - reference.at(w, p);
+            const double error = std::abs(difference.s0);
+            const double allowed = rounding * test.brightest[w];
+            if (error <= bound.s0 + of_reference.s0 + allowed &&
+                std::sqrt(frobenius_square(difference)) <= bound.matrix + of_reference.matrix + allowed)
+                ++inside;
+            if (bound.s0 > 0.0 && of_reference.s0 <= known_better * bound.s0) ratios.push_back(error / bound.s0);
+            const double share = test.brightest[w] > 0.0 ? bound.s0 / test.brightest[w] : 0.0;
             sum += share;
             result.largest = std::max(result.largest, share);
         }

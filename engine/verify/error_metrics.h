@@ -23,7 +23,9 @@ struct Metric {
 /// weights.
 struct ErrorMetrics {
     /// sqrt(mean |dC|_F^2) / sqrt(mean |C|_F^2), |C|_F^2 = (S0^2 + |s|^2)/2: independent of the transverse basis. The
-    /// primary metric. Per pixel: |dC|_F over the same denominator.
+    /// primary metric. Infinite if the reference is black and the test is not, or if no
+    /// number is finite. Per pixel: |dC|_F over the same
+    /// denominator.
     Metric fro_c;
     /// sqrt(mean dS0^2) / sqrt(mean S0^2). Per pixel: |dS0| over the same denominator.
     Metric rel_rmse_s0;
@@ -78,8 +80,8 @@ LightDefects light_defects(const StokesImage& image, double rounding);
 /// Root mean square of |C|_F over pixels and wavelengths: the unit of fro_c.
 double matrix_rms(const StokesImage& image);
 
-/// What the picture did not trace, bounded: root mean square of (residual + tail) brightest in the unit of the
-/// reference's matrix_rms(), which is never below fro_c of the truncation (performance.md 3.3).
+/// What the picture did not trace, bounded: root mean square of truncation_bound() in the unit of the reference's
+/// matrix_rms(), which is never below fro_c of the truncation. Infinite if light is missing and the reference is black.
 double relative_bound(const StokesImage& image, const StokesImage& reference);
 
 /// Does the picture's own bound hold the truth, and how tight is it?
@@ -90,10 +92,15 @@ struct BoundCoverage {
     double largest = 0.0;  ///< largest bound relative to brightest
 };
 
-/// The bound of a pixel is (residual + tail) brightest. Two pictures of the same samples, cut in different ways, can
-/// both be right only if |dS0| is at most the sum of both bounds, and of 1e-11 brightest for rounding (tree_rounding of
-/// some 1e4 branches). Requires: as error_metrics; `brightest` is known in both.
-BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference);
+/// Two pictures of the same samples, cut in different ways, can both be right only if |dS0| is at most the sum of both
+/// bounds (residual + tail) brightest, and |dC|_F at most the sum of both truncation_bound(), each with `rounding`
+/// times brightest on top. A reference without residual or brightest claims no bound. Requires: as error_metrics;
+/// `brightest` of the test is known.
+BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double rounding);
+
+/// Rounding of a tree of some 1e4 branches, and of a picture that was stored in 32-bit numbers, relative to brightest.
+inline constexpr double double_rounding = 1e-11;
+inline constexpr double float_rounding = 0x1p-23;
 
 /// sqrt(mean |dRGB|^2 / mean |RGB|^2) of the color pictures (CIE 1931 observer, linear sRGB), whose sets of wavelengths
 /// may differ. Requires: same size.

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
-#include "io/scene_file.h"
+#include "io/exr_file.h"
+#include "support/render_scene.h"
 #include "verify/convergence.h"
 #include "verify/convergence_summary.h"
 
@@ -106,6 +108,121 @@ TEST(Convergence, RunsOfAnotherSceneAreNotTakenOver) {
     EXPECT_EQ(other.error().field, "-o");
 }
 
+/// A picture of the request's scene, twelve times finer than any run, as a file beside the folder.
+std::filesystem::path reference_of(const ConvergenceRequest& request, const std::function<void(StokesImage&)>& change) {
+    Scene scene = request.scene;
+    scene.render.residual = 1e-6;
+    scene.render.samples_per_pixel = scene.render.mode == SampleMode::area ? 256 : 1;
+    scene.render.seed = 99;
+    StokesImage image = test::render(scene);
+    change(image);
+    const std::filesystem::path path = request.folder / "given.exr";
+    EXPECT_TRUE(write_exr(image, path));
+    return path;
+}
+
+// A bar is wide where light is missing; a reference of which nothing is missing must lie in it, pixel by pixel, and all
+// four components of it.
+TEST(Convergence, AReferenceOutsideTheBoundsIsSaidToBe) {
+    const Folder folder("polariscope-test-converge-reference");
+    ConvergenceRequest request = small_request("paper-glass-polarized.yaml", folder);
+    request.seeds = 1;
+    const auto checked = [&](const std::function<void(StokesImage&)>& change) {
+        request.reference = reference_of(request, change);
+        const auto result = converge(request, [](const ConvergenceProgress& progress) { return progress.done < 1; });
+        EXPECT_TRUE(result) << to_string(result.error());
+        return result.value();
+    };
+    const ConvergenceResult right = checked([](StokesImage&) {});
+    EXPECT_FALSE(right.reference_check->contradicts());
+    EXPECT_EQ(right.reference_check->covered, 1.0);
+    EXPECT_NE(text_about_reference(right).find("agrees"), std::string::npos);
+    std::filesystem::remove(folder.path() / "runs.csv");
+
+    const ConvergenceResult brighter = checked([](StokesImage& image) {
+        for (Stokes<double>& s : image.stokes) s = 1.5 * s;
+    });
+    EXPECT_TRUE(brighter.reference_check->contradicts());
+    // A third of it is too much; our own picture is known to 1e-4.
+    EXPECT_NEAR(brighter.reference_error, 1.0 / 3.0, 1e-3);
+    EXPECT_FALSE(bounds_hold(brighter));
+    EXPECT_NE(text_about_reference(brighter).find("WRONG"), std::string::npos);
+    std::filesystem::remove(folder.path() / "runs.csv");
+
+    // As bright everywhere, but of the other handedness; and a single pixel.
+    EXPECT_TRUE(checked([](StokesImage& image) {
+                    for (Stokes<double>& s : image.stokes) s.s3 = -s.s3;
+                }).reference_check->contradicts());
+    std::filesystem::remove(folder.path() / "runs.csv");
+    const ConvergenceResult one = checked([](StokesImage& image) { image.stokes[50] = 0.5 * image.stokes[50]; });
+    EXPECT_TRUE(one.reference_check->contradicts());
+    EXPECT_EQ(one.reference_check->covered, 1.0 - 1.0 / (12.0 * 9.0));
+}
+
+// In mode area sampling comes on top of the bounds: an honest reference is not accused, a brighter one is.
+TEST(Convergence, AReferenceOfAnAreaPictureMayDifferByItsNoise) {
+    const Folder folder("polariscope-test-converge-area-reference");
+    ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
+    request.scene.render.mode = SampleMode::area;
+    request.seeds = 1;
+    for (const double factor : {1.0, 1.3}) {
+        request.reference = reference_of(request, [factor](StokesImage& image) {
+            for (Stokes<double>& s : image.stokes) s = factor * s;
+        });
+        const auto result = converge(request, [](const ConvergenceProgress& progress) { return progress.done < 1; });
+        ASSERT_TRUE(result) << to_string(result.error());
+        EXPECT_EQ(result.value().reference_check->contradicts(), factor != 1.0);
+        std::filesystem::remove(folder.path() / "runs.csv");
+    }
+}
+
+// Runs against a file are not taken over when another picture stands under its name.
+TEST(Convergence, AReferenceIsKnownByWhatItHolds) {
+    const Folder folder("polariscope-test-converge-renamed");
+    ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
+    request.seeds = 1;
+    const auto start = [&](double factor) {
+        request.reference =
+            reference_of(request, [factor](StokesImage& image) { image.stokes[0] = factor * image.stokes[0]; });
+        return converge(request, [](const ConvergenceProgress& progress) { return progress.done < 1; });
+    };
+    ASSERT_TRUE(start(1.0));
+    EXPECT_TRUE(start(1.0)) << "the same picture goes on";
+    const auto other = start(2.0);
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.error().field, "-o");
+}
+
+// Of pictures that nothing random made there is no scatter to measure; one sample per pixel of mode area scatters.
+TEST(Convergence, WhereNothingScattersTheSamplingErrorIsNotMeasured) {
+    for (const SampleMode mode : {SampleMode::point, SampleMode::area}) {
+        const Folder folder("polariscope-test-converge-sampling");
+        ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
+        request.scene.render.mode = mode;
+        const auto result = converge(request, go_on);
+        ASSERT_TRUE(result) << to_string(result.error());
+        int known = 0;
+        for (const RunRow& row : result.value().rows) {
+            if (std::isnan(row.sampling)) continue;
+            EXPECT_GT(row.sampling, 0.0) << row.series;
+            if (row.samples_per_pixel == 1.0) ++known;
+        }
+        // Seed 1 against seed 0 at three residuals.
+        EXPECT_EQ(known, mode == SampleMode::area ? 3 : 0);
+    }
+}
+
+TEST(Convergence, BoundsOfNothingDoNotHold) {
+    ConvergenceResult nothing;
+    EXPECT_FALSE(bounds_hold(nothing));
+    EXPECT_EQ(text_about_bounds(nothing), "bounds were not measured");
+    RunRow row;
+    row.bound_cover = 1.0 - 1e-6;
+    nothing.rows = {row};
+    EXPECT_FALSE(bounds_hold(nothing));
+    EXPECT_EQ(text_about_bounds(nothing), "bounds hold in 99.99 % of the pixels") << "100.00 means all";
+}
+
 TEST(RunTable, ReadsBackToTheSameBitsAndNamesTheBadField) {
     RunRow row;
     row.series = "samples, \"quoted\"";
@@ -149,6 +266,9 @@ TEST(Curves, FitTheSlopeOfAPowerLawAndFindTheCheapestSetting) {
     ASSERT_TRUE(best[0].point);
     EXPECT_EQ(best[0].point->cpu_s, 16.0);
     EXPECT_FALSE(best[1].point);
+    // 1/4 is known to 0.1: it may be 0.35.
+    for (RunRow& row : rows) row.reference_error = 0.1;
+    EXPECT_EQ(cheapest(curves(rows), {0.3})[0].point->cpu_s, 64.0);
 }
 
 }  // namespace
