@@ -141,7 +141,8 @@ std::vector<Cheapest> cheapest(const std::vector<Curve>& curves, const std::vect
         best.error = error;
         for (const Curve& curve : curves) {
             for (const CurvePoint& point : curve.points) {
-                if (!(point.error + point.reference_error <= error) || (best.point && best.point->cpu_s <= point.cpu_s)) continue;
+                if (!(point.error + point.reference_error <= error) || (best.point && best.point->cpu_s <= point.cpu_s))
+                    continue;
                 best.point = point;
                 best.series = curve.series;
             }

@@ -42,14 +42,14 @@ objects:
 
 std::vector<Case> cases() {
     return {
-        {"water-drop", area(test::shipped_scene("water-drop"), 24, 1000), {0.05, 0.1, 0.2}, 1 << 15},
-        {"cube, small lamp", area(cube_and_small_lamp(), 16, 1000), {0.1, 0.2, 0.4}, 1 << 15},
-        {"cube-glass", area(test::shipped_scene("cube-glass"), 24, 1000), {0.1, 0.2}, 1 << 13},
-        {"metal-spheres", area(test::shipped_scene("metal-spheres"), 16, 200), {0.05, 0.2}, 1 << 13},
-        {"crossed-polarizers", area(test::shipped_scene("crossed-polarizers"), 16, 1000), {0.05, 0.2}, 1 << 13},
-        {"paper-glass-polarized", area(test::shipped_scene("paper-glass-polarized"), 16, 1000), {0.1, 0.2}, 1 << 13},
-        {"cube-calcite", area(test::shipped_scene("cube-calcite"), 16, 30), {0.1, 0.2}, 1 << 12},
-        {"glan-air", area(test::shipped_scene("glan-air"), 16, 100), {0.05, 0.2}, 1 << 12},
+        {"water-drop", area(test::shipped_scene("water-drop"), 24, 1000), {0.1, 0.2}, 1 << 13},
+        {"cube, small lamp", area(cube_and_small_lamp(), 16, 1000), {0.2, 0.4}, 1 << 13},
+        {"cube-glass", area(test::shipped_scene("cube-glass"), 24, 1000), {0.1, 0.2}, 1 << 12},
+        {"metal-spheres", area(test::shipped_scene("metal-spheres"), 16, 200), {0.1, 0.2}, 1 << 12},
+        {"crossed-polarizers", area(test::shipped_scene("crossed-polarizers"), 16, 1000), {0.1, 0.2}, 1 << 12},
+        {"paper-glass-polarized", area(test::shipped_scene("paper-glass-polarized"), 16, 1000), {0.2}, 1 << 12},
+        {"cube-calcite", area(test::shipped_scene("cube-calcite"), 16, 30), {0.2}, 1 << 11},
+        {"glan-air", area(test::shipped_scene("glan-air"), 16, 100), {0.1, 0.2}, 1 << 11},
     };
 }
 
