@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Long because it is one algorithm: where a value stands, how it is written, and what a change of it means.
+//
 // save_scene() writes both scenes, with every key. Where the two texts differ, the value of the same key path in the
 // source is changed, or the nearest that contains it. Whether that was right is seen by reading the result.
 #include "io/scene_patch.h"
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <string_view>
@@ -40,6 +43,10 @@ std::optional<double> number_in(std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::string rounded(double value, int digits) {
+    return number_text(number_in(fmt::format("{:.{}g}", value, digits)).value_or(value));
 }
 
 /// The value of `key`; not defined if there is none.
@@ -181,6 +188,8 @@ public:
     }
 
 private:
+    static constexpr int digits_of_any_double = 17;
+
     /// `text` instead of the characters from `begin` to `end` of the source.
     struct Change {
         std::size_t begin;
@@ -202,6 +211,7 @@ private:
 
     void compare_maps(const YAML::Node& text, const YAML::Node& before, const YAML::Node& after,
                       const std::string& key) {
+        if (key == "polarization" && turn(text, before, after)) return;
         // Other keys than those that are saved, as in {crystal: calcite}: a key that is missing has no place there.
         const bool is_spelled_otherwise = std::any_of(text.begin(), text.end(), [&](const auto& pair) {
             const std::string& word = pair.first.Scalar();
@@ -237,6 +247,30 @@ private:
         if (fits) return;
         changes_.resize(changes_outside);
         replace(text, after, key);
+    }
+
+    /// Linear light of {dop: p, azimuth: psi} that has only been turned: (s1, s2) = p (cos 2 psi, sin 2 psi). The
+    /// azimuth with the fewest digits that gives these very numbers; false if none does.
+    bool turn(const YAML::Node& text, const YAML::Node& before, const YAML::Node& after) {
+        const YAML::Node azimuth = child(text, "azimuth");
+        const YAML::Node stokes = child(after, "stokes");
+        if (!azimuth.IsDefined() || has(text, "ellipticity") || !stokes.IsDefined()) return false;
+        if (before_.of(child(before, "x_axis")) != after_.of(child(after, "x_axis"))) return false;
+        const auto degree = number_in(child(text, "dop").Scalar());
+        const auto s1 = number_in(after_.of(stokes[0]));
+        const auto s2 = number_in(after_.of(stokes[1]));
+        if (!degree || !s1 || !s2 || after_.of(stokes[2]) != "0") return false;
+        const double azimuth_deg = degrees(0.5 * std::atan2(*s2, *s1));
+        for (int digits = 1; digits <= digits_of_any_double; ++digits) {
+            for (const double half_turn_deg : {0.0, 180.0}) {
+                const std::string word = rounded(azimuth_deg + half_turn_deg, digits);
+                const double twice = 2.0 * radians(number_in(word).value_or(0.0));
+                if (*degree * std::cos(twice) != *s1 || *degree * std::sin(twice) != *s2) continue;
+                changes_.push_back({source_.begin(azimuth), source_.end(azimuth), word});
+                return true;
+            }
+        }
+        return false;
     }
 
     void replace(const YAML::Node& text, const YAML::Node& after, const std::string& key) {
@@ -342,9 +376,8 @@ private:
         if (!number) return saved;
         const double angle_rad = was_in_radians ? *number : radians(*number);
         if (in_radians) return number_text(angle_rad) + std::string(unit);
-        constexpr int digits_of_any_double = 17;
         for (int digits = 1; digits <= digits_of_any_double; ++digits) {
-            const std::string text = fmt::format("{:.{}g}", degrees(angle_rad), digits);
+            const std::string text = rounded(degrees(angle_rad), digits);
             const auto angle_deg = number_in(text);
             if (angle_deg && radians(*angle_deg) == angle_rad) return text;
         }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -113,6 +114,8 @@ TEST(ScenePatch, ChangesOnlyTheNumberThatWasEdited) {
     expect_change(
         by_hand, [](Scene& s) { s.camera.horizontal_fov = radians(30.1); }, "28.0", "30.1");
     expect_change(
+        by_hand, [](Scene& s) { s.camera.horizontal_fov = radians(40.0); }, "28.0", "40");
+    expect_change(
         by_hand, [](Scene& s) { s.render.residual = 0.002; }, "1e-3", "0.002");
     expect_change(
         by_hand, [](Scene& s) { s.render.width = 16; }, "[8, 6]", "[16, 6]");
@@ -156,6 +159,16 @@ TEST(ScenePatch, AddsAKeyThatWasLeftOutBesideTheOthers) {
     expect_change(
         without_render, [](Scene& s) { s.render.width = 16; }, "unit: um        # not mm!",
         "unit: um        # not mm!\nrender: {size: [16, 512]}");
+}
+
+// As the window turns it: (cos 2 psi, sin 2 psi).
+TEST(ScenePatch, TurnedLinearLightKeepsItsAzimuth) {
+    for (const char* azimuth : {"45", "22.5", "135", "-10", "61.7"}) {
+        const double twice = 2.0 * radians(std::stod(azimuth));
+        const FixedState turned{std::cos(twice), std::sin(twice), 0.0};
+        expect_change(
+            by_hand, [&](Scene& s) { lamp(s, 0).state = turned; }, "azimuth: 30", std::string("azimuth: ") + azimuth);
+    }
 }
 
 TEST(ScenePatch, WritesAValueAnewWhereItsKeysHaveNoPlace) {
