@@ -43,7 +43,7 @@ constexpr std::array<QuantityInfo, 16> table{{
     {Quantity::azimuth_error, "azimuth_error", "Error bar of azimuth", "\u00b0", ScaleKind::sequential, 0.0, from_data,
      "the same for the azimuth; 90 degrees: it may be anything"},
     {Quantity::unphysical, "unphysical", "Unphysical part", "", ScaleKind::sequential, 0.0, from_data,
-     "(|(S1, S2, S3)| - S0) / (|(S1, S2, S3)| + |S0|) where that exceeds the rounding of the file's numbers, else 0; "
+     "(|(S1, S2, S3)| - S0) / (|(S1, S2, S3)| + |S0|) where that exceeds rounding of the numbers, else 0; "
      "empty if the renderer is right"},
 }};
 
