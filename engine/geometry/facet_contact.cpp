@@ -71,7 +71,7 @@ double common_area(const std::array<DVec3, 3>& s, const std::array<DVec3, 3>& t,
 
 }  // namespace
 
-std::vector<FacetPair> flush_facets(const Mesh& a, const Mesh& b, Facing facing) {
+std::vector<FacetPair> flush_facets(const Mesh& a, const Mesh& b, Facing facing, double beyond) {
     const std::vector<Face> faces_a = faces_of(a);
     const std::vector<Face> faces_b = faces_of(b);
     std::vector<std::size_t> by_x(faces_b.size());
@@ -84,8 +84,8 @@ std::vector<FacetPair> flush_facets(const Mesh& a, const Mesh& b, Facing facing)
         const Face& f = faces_a[i];
         for (const std::size_t j : by_x) {
             const Face& g = faces_b[j];
-            if (g.low.x > f.high.x + f.slack + largest_slack) break;
-            const double distance = f.slack + g.slack;
+            if (g.low.x > f.high.x + f.slack + largest_slack + beyond) break;
+            const double distance = f.slack + g.slack + beyond;
             const DVec3 between = glm::max(f.low - g.high, g.low - f.high);
             if (std::max({between.x, between.y, between.z}) > distance) continue;
             const double turn = dot(f.plane.normal, g.plane.normal);

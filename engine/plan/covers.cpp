@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan/covers.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,6 +127,30 @@ Result<Done> find_covers(const Scene& scene, Plan& plan) {
         }
     }
     return Done{};
+}
+
+std::vector<std::string> near_misses(const Plan& plan) {
+    const int count = plan.solid_count() + static_cast<int>(plan.surfaces.size());
+    std::vector<Boundary> boundaries;
+    for (const Solid& solid : plan.solids)
+        boundaries.push_back(std::visit([](const auto& s) { return boundary_of(SurfaceShape{s}); }, solid.shape));
+    for (const Surface& surface : plan.surfaces) boundaries.push_back(boundary_of(surface.shape));
+    std::vector<std::string> pairs;
+    for (int i = 0; i < count; ++i) {
+        for (int j = i + 1; j < count; ++j) {
+            const Boundary& a = boundaries[static_cast<std::size_t>(i)];
+            const Boundary& b = boundaries[static_cast<std::size_t>(j)];
+            const double beyond =
+                0.5e-6 * std::min(glm::length(a.box.high - a.box.low), glm::length(b.box.high - b.box.low));
+            if (a.box.apart(b.box, a.slack + b.slack + beyond)) continue;
+            bool near = false;
+            for (const Facing facing : {Facing::same, Facing::opposite})
+                near = near || flush_facets(a.mesh, b.mesh, facing, beyond).size() >
+                                   flush_facets(a.mesh, b.mesh, facing).size();
+            if (near) pairs.push_back("'" + plan.body_name(i) + "' and '" + plan.body_name(j) + "'");
+        }
+    }
+    return pairs;
 }
 
 }  // namespace pol

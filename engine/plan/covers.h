@@ -2,6 +2,9 @@
 // Surfaces that lie in a face of a solid or in each other.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/result.h"
 #include "plan/plan.h"
 #include "scene/scene.h"
@@ -14,5 +17,9 @@ void add_contact(Solid& solid, std::vector<std::vector<Contact>> Solid::*list, i
 /// Fills in Solid::covers from plan.solids and plan.surfaces. Error: a sheet in a solid's face would be both inside and
 /// outside of it; of two surfaces in one place (not both black) nothing says which one a ray meets.
 Result<Done> find_covers(const Scene& scene, Plan& plan);
+
+/// Pairs of bodies ("'a' and 'b'") with faces that lie in one plane but for more than rounding and less than a
+/// millionth of the smaller body. They are traced as written, with that gap or that overlap.
+std::vector<std::string> near_misses(const Plan& plan);
 
 }  // namespace pol

@@ -5,6 +5,8 @@
 #include <functional>
 #include <set>
 
+#include "plan/covers.h"
+
 #include "scene/check.h"
 
 namespace pol {
@@ -106,6 +108,8 @@ void account_for_geometry(const Plan& plan, Account& account) {
     account.add("Embree scene", meshes, "meshes that are not convex, not closed, or of more than 4096 facets: ",
                 "flat convex solids, spheres and flat surfaces need none");
     account.add("shared faces", touching, "touching solids become one interface: ", "no two solids touch");
+    account.add("faces nearly in one plane", near_misses(plan),
+                "traced as written, gap or overlap: ", "none within a millionth of each other that do not touch");
     account.add("nested or overlapping media", nested, "", "no solid lies inside another");
 }
 

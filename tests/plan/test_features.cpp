@@ -39,8 +39,9 @@ TEST(Features, AFlatConvexSolidOfGlassNeedsNothingButItsPlanes) {
     const auto plan = box_of("1.5", "380:780:20");
     for (const char* name :
          {"dispersion", "crystals (o and e rays)", "metals", "absorption along rays", "extinction taken as 0",
-          "polarizers and retarders", "analytic spheres", "Embree scene", "shared faces", "nested or overlapping media",
-          "textured emission", "polarized emission", "background light", "pixel area sampling", "depth limit"})
+          "polarizers and retarders", "analytic spheres", "Embree scene", "shared faces", "faces nearly in one plane",
+          "nested or overlapping media", "textured emission", "polarized emission", "background light",
+          "pixel area sampling", "depth limit"})
         EXPECT_FALSE(feature(*plan, name).needed) << name;
     EXPECT_TRUE(feature(*plan, "half-space solids").needed);
     EXPECT_NE(feature(*plan, "half-space solids").reason.find("thing"), std::string::npos);
@@ -49,6 +50,23 @@ TEST(Features, AFlatConvexSolidOfGlassNeedsNothingButItsPlanes) {
     for (const Region& region : plan->regions) EXPECT_EQ(region.caster, nullptr);
     EXPECT_EQ(plan->groups.size(), 1U);  // one tree serves 21 wavelengths
     EXPECT_EQ(plan->groups[0].wavelengths.size(), 21U);
+}
+
+// A gap of 1e-7 is traced as one, but hardly meant; one of 0.1 is, and contact is none.
+TEST(Features, FacesThatNearlyTouchAreNamed) {
+    const auto with = [](const std::string& object) {
+        return feature(*box_of("1.5", "580", "  - {name: second, " + object + "}\n"), "faces nearly in one plane");
+    };
+    for (const std::string object :
+         {"shape: {box: {size: 1}}, transform: [{translate: [1.0000001, 0, 0]}], medium: matter",
+          "shape: {rectangle: {size: 1}}, transform: [{translate: [0, 0, 0.5000001]}], absorber: on"}) {
+        EXPECT_TRUE(with(object).needed);
+        EXPECT_NE(with(object).reason.find("'thing' and 'second'"), std::string::npos) << with(object).reason;
+    }
+    for (const std::string object :
+         {"shape: {box: {size: 1}}, transform: [{translate: [1, 0, 0]}], medium: matter",
+          "shape: {rectangle: {size: 1}}, transform: [{translate: [0, 0, 0.6]}], absorber: on"})
+        EXPECT_FALSE(with(object).needed);
 }
 
 TEST(Features, NeededOnesNameWhoNeedsThem) {
