@@ -21,9 +21,10 @@ MuellerMatrix<double> Bench::mueller() const {
     for (const BenchElement& element : elements) {
         if (!element.in_beam) continue;
         const DVec3 axis(std::cos(element.axis), std::sin(element.axis), 0.0);
-        const Sheet sheet = element.kind == BenchElementKind::polarizer ? Sheet{LinearPolarizer{axis}}
-                                                                        : Sheet{Retarder{axis, element.retardance}};
-        const auto f = sheet_jones(sheet, k, x, y);
+        const Sheet sheet = element.kind == BenchElementKind::polarizer
+                                ? Sheet{LinearPolarizer{axis, PolarizerModel::passing}}
+                                : Sheet{Retarder{axis, element.retardance}};
+        const auto f = sheet_jones(sheet, k, k, x, y);
         train = JonesMatrix<double>{f[0][0], f[0][1], f[1][0], f[1][1]} * train;
     }
     return to_mueller(train);

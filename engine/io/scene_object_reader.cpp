@@ -55,7 +55,12 @@ DMat4 read_matrix(const YamlValue& value) {
 
 Sheet read_sheet(const YamlValue& value) {
     const auto [kind, content] = value.tagged({"polarizer", "retarder", "circular"});
-    if (kind == "polarizer") return LinearPolarizer{content.map({"axis"}).at("axis").vec3()};
+    if (kind == "polarizer") {
+        const YamlMap map = content.map({"axis", "model"});
+        const auto model = map.find("model");
+        const bool passing = model && model->choice({"blocking", "passing"}) == "passing";
+        return LinearPolarizer{map.at("axis").vec3(), passing ? PolarizerModel::passing : PolarizerModel::blocking};
+    }
     if (kind == "retarder") {
         const YamlMap map = content.map({"fast_axis", "retardance"});
         return Retarder{map.at("fast_axis").vec3(), map.at("retardance").angle()};

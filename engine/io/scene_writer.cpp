@@ -171,7 +171,10 @@ std::string shape_text(const Shape& shape) {
 
 std::string sheet_text(const Sheet& sheet) {
     return std::visit(Overloaded{
-                          [](const LinearPolarizer& s) { return "{polarizer: {axis: " + vec_text(s.axis) + "}}"; },
+                          [](const LinearPolarizer& s) {
+                              return "{polarizer: {axis: " + vec_text(s.axis) +
+                                     (s.model == PolarizerModel::passing ? ", model: passing}}" : "}}");
+                          },
                           [](const Retarder& s) {
                               return "{retarder: {fast_axis: " + vec_text(s.fast_axis) +
                                      ", retardance: " + angle_text(s.retardance) + "}}";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thin ideal sheets: they change the polarization of a ray and nothing else. Axes are world space and are projected on
-// the plane across the ray, so oblique rays are well defined.
+// Thin ideal sheets: they change the polarization of a ray and nothing else. Axes are world space; which of them is
+// projected on the plane across an oblique ray is said with each sheet.
 #pragma once
 
 #include <array>
@@ -13,9 +13,19 @@
 
 namespace pol {
 
-/// Passes the field along `axis`, blocks the rest.
+/// Which axis of a polarizer a tilted ray sees at its projected direction.
+enum class PolarizerModel {
+    /// The one in the sheet across `axis`: film and wire grids absorb or reflect the field along it and pass what is
+    /// left. Korger et al. 2013, "The polarization properties of a tilted polarizer"; `polarizer` of Mitsuba 3.
+    blocking,
+    /// `axis` itself, an abstraction.
+    passing,
+};
+
+/// Passes the field along `axis`, blocks the rest; both models agree where light meets the sheet head on.
 struct LinearPolarizer {
     DVec3 axis{1.0, 0.0, 0.0};
+    PolarizerModel model = PolarizerModel::blocking;
     friend bool operator==(const LinearPolarizer&, const LinearPolarizer&) = default;
 };
 
@@ -50,21 +60,27 @@ Vec3<Real> transverse_axis(const Vec3<Real>& axis, const Vec3<Real>& light_direc
 
 /// Operator of the sheet on transverse fields, as a matrix between the unit vectors e1 and e2: [i][j] = e_i . F e_j.
 ///
-/// polarizer: F = a a^T, a the projected axis (nothing passes along the axis). Retarder: F = f f^T + exp(i retardance)
-/// g g^T, f the projected fast axis and g across it; fields vary as exp(-i omega t), so the slow axis gains positive
-/// phase. It is symmetric, and the phase common to both axes is left out; the identity for light along the fast axis.
-/// Circular: F = a a^H with a = (1, -i)/sqrt 2 for right, (1, i)/sqrt 2 for left, in a right-handed frame about the
-/// light.
+/// polarizer: F = a a^T, with a the projected axis (nothing passes along the axis), or, with b in the sheet across the
+/// axis blocking, a across the projected b, unit(light x b). Retarder: F = f f^T + exp(i retardance)
+/// g g^T, f the projected fast axis and g across it, at any tilt with the same retardance; fields vary as exp(-i omega
+/// t), so the slow axis gains positive phase. It is symmetric, and the phase common to both axes is left out; the
+/// identity for light along the fast axis. Circular: F = a a^H with a = (1, -i)/sqrt 2 for right, (1, i)/sqrt 2 for
+/// left, in a right-handed frame about the light.
 ///
-/// Requires: light_direction, e1, e2 unit; e1 x e2 = +-light_direction (either hand: a backward tracer keeps the
-/// field vectors of the light).
+/// Requires: normal (of the sheet, either sign), light_direction, e1, e2 unit; e1 x e2 = +-light_direction (either
+/// hand: a backward tracer keeps the field vectors of the light).
 template <class Real>
-std::array<std::array<Complex<Real>, 2>, 2> sheet_jones(const Sheet& sheet, const Vec3<Real>& light_direction,
-                                                        const Vec3<Real>& e1, const Vec3<Real>& e2) {
+std::array<std::array<Complex<Real>, 2>, 2> sheet_jones(const Sheet& sheet, const Vec3<Real>& normal,
+                                                        const Vec3<Real>& light_direction, const Vec3<Real>& e1,
+                                                        const Vec3<Real>& e2) {
     using Matrix = std::array<std::array<Complex<Real>, 2>, 2>;
     return std::visit(Overloaded{
                           [&](const LinearPolarizer& polarizer) -> Matrix {
-                              const Vec3<Real> a = transverse_axis(Vec3<Real>(polarizer.axis), light_direction);
+                              const Vec3<Real> axis(polarizer.axis);
+                              const Vec3<Real> a =
+                                  polarizer.model == PolarizerModel::passing
+                                      ? transverse_axis(axis, light_direction)
+                                      : transverse_axis(cross(light_direction, cross(normal, axis)), light_direction);
                               const Real x = dot(e1, a);
                               const Real y = dot(e2, a);
                               return {{{x * x, x * y}, {x * y, y * y}}};

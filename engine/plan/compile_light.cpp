@@ -12,15 +12,16 @@
 namespace pol {
 
 Sheet sheet_in_world(const Sheet& sheet, const DMat4& to_world) {
-    return std::visit(
-        Overloaded{
-            [&](const LinearPolarizer& p) -> Sheet { return LinearPolarizer{direction_to_world(to_world, p.axis)}; },
-            [&](const Retarder& r) -> Sheet {
-                return Retarder{direction_to_world(to_world, r.fast_axis), r.retardance};
-            },
-            [](const CircularPolarizer& c) -> Sheet { return c; },
-        },
-        sheet);
+    return std::visit(Overloaded{
+                          [&](const LinearPolarizer& p) -> Sheet {
+                              return LinearPolarizer{direction_to_world(to_world, p.axis), p.model};
+                          },
+                          [&](const Retarder& r) -> Sheet {
+                              return Retarder{direction_to_world(to_world, r.fast_axis), r.retardance};
+                          },
+                          [](const CircularPolarizer& c) -> Sheet { return c; },
+                      },
+                      sheet);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "plan/compile_media.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,21 @@ Error at_place(Error error, const Scene& scene, const SourcePlace& place) {
 Error at_object(Error error, const Scene& scene, int object) {
     error.field = "objects[" + std::to_string(object) + "]" + (error.field.empty() ? "" : ".") + error.field;
     return at_place(std::move(error), scene, scene.objects[static_cast<std::size_t>(object)].place);
+}
+
+DVec3 direction_to_world(const DMat4& to_world, const DVec3& direction) {
+    const DMat3 m(to_world);
+    const double size2 = length2(m[0]);
+    const double same = 1e-12 * size2;  // far above rounding, far below what turns an axis
+    const bool stretches = std::abs(length2(m[1]) - size2) > same || std::abs(length2(m[2]) - size2) > same ||
+                           std::abs(dot(m[0], m[1])) > same || std::abs(dot(m[1], m[2])) > same ||
+                           std::abs(dot(m[2], m[0])) > same;
+    if (!stretches) return unit(m * direction);
+    const DVec3 x = unit(m[0]);
+    const DVec3 y = unit(m[1] - dot(m[1], x) * x);
+    const DVec3 z = cross(x, y);
+    const DVec3 d = unit(direction);
+    return unit(d.x * x + d.y * y + (dot(m[2], z) < 0.0 ? -d.z : d.z) * z);
 }
 
 namespace {

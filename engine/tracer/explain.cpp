@@ -60,7 +60,7 @@ void repeat_step(const Plan& plan, int group, const RayTreeNode& parent, Branche
     if (!plan.is_solid(parent.crossing.body)) {
         const auto& role = std::get<SheetRole>(plan.surface(parent.crossing.body).role);
         branches.clear();
-        branches.node[0] = through_sheet(node, role.sheet, {});
+        branches.node[0] = through_sheet(node, role.sheet, parent.crossing.normal, {});
         branches.count = 1;
         return;
     }

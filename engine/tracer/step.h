@@ -126,12 +126,12 @@ inline void cross_boundary(const Node& node, const Dielectric<double>& from, con
         cross_isotropic_boundary(node, from, to, normal, out);
 }
 
-/// Straight through an ideal sheet in an isotropic medium.
-inline Node through_sheet(const Node& node, const Sheet& sheet, const Left& left) {
+/// Straight through an ideal sheet in an isotropic medium. `normal` of the sheet is unit, of either sign.
+inline Node through_sheet(const Node& node, const Sheet& sheet, const DVec3& normal, const Left& left) {
     Node child = node;
     child.left = left;
-    child.throughput =
-        behind_sheet(node.throughput, sheet_jones(sheet, -node.wave.ray, node.wave.field[0], node.wave.field[1]));
+    child.throughput = behind_sheet(node.throughput,
+                                    sheet_jones(sheet, normal, -node.wave.ray, node.wave.field[0], node.wave.field[1]));
     child.weight = child.throughput.weight();
     return child;
 }

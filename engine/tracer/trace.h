@@ -231,8 +231,8 @@ private:
         }
         if (const auto* role = std::get_if<SheetRole>(&surface.role)) {
             if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);
-            children_.node[0] =
-                through_sheet(node, role->sheet, Left{crossing.body, crossing.facet, crossing.triangle});
+            children_.node[0] = through_sheet(node, role->sheet, crossing.normal,
+                                              Left{crossing.body, crossing.facet, crossing.triangle});
             children_.count = 1;
             result_.absorbed += node.weight - children_.node[0].weight;
             adopt_children(node, [](int) { return Interaction::sheet; });

@@ -167,11 +167,11 @@ private:
     }
 
     bool pass_sheet(const RayTreeNode& record, WideNode& node) {
-        arrive(record, node);
+        const WideVec3 normal = arrive(record, node);
         const auto& role = std::get<SheetRole>(plan_.surface(record.crossing.body).role);
         const Wave<Quad>& wave = node.wave;
         const Throughput<Quad> behind =
-            behind_sheet(node.throughput, sheet_jones(role.sheet, -wave.ray, wave.field[0], wave.field[1]));
+            behind_sheet(node.throughput, sheet_jones(role.sheet, normal, -wave.ray, wave.field[0], wave.field[1]));
         for (const int child : record.children)
             nodes_[static_cast<std::size_t>(child)] = {node.point, wave, kept(behind, wave.mode_count())};
         return !record.children.empty() || !counts(behind);

@@ -97,7 +97,7 @@ Scene scene_of_everything() {
   - name: laser
     shape: {disk: {radius: 0.1}}
     emission: {radiance: 3, polarization: {stokes: [0.1, 0.2, 0.3], x_axis: [0, 1, 0]}, two_sided: on}
-  - {name: polarizer, shape: {disk: {radius: 1}}, sheet: {polarizer: {axis: [1, 2, 0]}}}
+  - {name: polarizer, shape: {disk: {radius: 1}}, sheet: {polarizer: {axis: [1, 2, 0], model: passing}}}
   - {name: retarder, shape: {disk: {radius: 1}}, sheet: {retarder: {fast_axis: [1, 3, 0], retardance: 89}}}
   - {name: circular, shape: {disk: {radius: 1}}, sheet: {circular: {passes: left}}}
   - {name: stop, shape: {disk: {radius: 2}}, absorber: on}
@@ -386,6 +386,9 @@ TEST(SceneHash, ChangesWithEveryValue) {
         [](Scene& s) { std::get<FixedState>(std::get<Emission>(s.objects[10].role).state).x_axis.x = 1.0; },
         [](Scene& s) { std::get<Emission>(s.objects[10].role).two_sided = false; },
         [](Scene& s) { std::get<LinearPolarizer>(std::get<Sheet>(s.objects[11].role)).axis.y = 2.1; },
+        [](Scene& s) {
+            std::get<LinearPolarizer>(std::get<Sheet>(s.objects[11].role)).model = PolarizerModel::blocking;
+        },
         [](Scene& s) { std::get<Retarder>(std::get<Sheet>(s.objects[12].role)).retardance += 1e-12; },
         [](Scene& s) { s.objects[13].role = Sheet{CircularPolarizer{Handedness::right}}; },
         [](Scene& s) { s.objects.pop_back(); },

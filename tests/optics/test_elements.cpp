@@ -13,7 +13,7 @@ const DVec3 x(1.0, 0.0, 0.0);
 const DVec3 y(0.0, 1.0, 0.0);
 
 JonesMatrix<double> jones(const Sheet& sheet, const DVec3& light, const DVec3& e1, const DVec3& e2) {
-    const auto m = sheet_jones(sheet, light, e1, e2);
+    const auto m = sheet_jones(sheet, up, light, e1, e2);
     return {m[0][0], m[0][1], m[1][0], m[1][1]};
 }
 JonesMatrix<double> jones(const Sheet& sheet) {
@@ -40,6 +40,43 @@ TEST(Elements, T13PolarizersObeyMalus) {
         for (int i = 1; i <= steps; ++i) fan = jones(LinearPolarizer{azimuth(i * 90.0 * degree / steps)}) * fan;
         EXPECT_NEAR(trace(transform(fan, unpolarized)), 0.5 * std::pow(std::cos(90.0 * degree / steps), 2 * steps),
                     32.0 * eps);
+    }
+}
+
+// Korger et al. 2013: film absorbs along b in the sheet, so a ray k at the angle t to the normal leaves with E along k
+// x b. With b = (-1, 1, 0)/sqrt 2 and k in the xz plane that is (1, cos t) in the frame (cos t, 0, -sin t), y: azimuth
+// atan(cos t), where projecting the passing axis would give atan(1/cos t).
+TEST(Elements, ATiltedPolarizerProjectsTheAxisThatItBlocks) {
+    for (const double t : {-60.0, 0.0, 15.0, 30.0, 45.0}) {
+        const DVec3 light = tilted(t * degree);
+        const DVec3 across(std::cos(t * degree), 0.0, -std::sin(t * degree));
+        const auto azimuth_behind = [&](PolarizerModel model) {
+            const auto m = jones(LinearPolarizer{DVec3(1.0, 1.0, 0.0), model}, light, across, y);
+            const Stokes<double> s = to_stokes(transform(m, unpolarized));
+            EXPECT_NEAR(s.s0, 0.5, 8.0 * eps);
+            EXPECT_NEAR(std::hypot(s.s1, s.s2), s.s0, 8.0 * eps);
+            return 0.5 * std::atan2(s.s2, s.s1);
+        };
+        EXPECT_NEAR(azimuth_behind(PolarizerModel::blocking), std::atan(std::cos(t * degree)), 16.0 * eps);
+        EXPECT_NEAR(azimuth_behind(PolarizerModel::passing), std::atan(1.0 / std::cos(t * degree)), 16.0 * eps);
+    }
+}
+
+TEST(Elements, ATiltedPolarizerIsTheSameFromBothFacesAndInAnyFrame) {
+    Dice dice(5);
+    for (int i = 0; i < 50; ++i) {
+        const DVec3 light = dice.direction();
+        const DVec3 normal = dice.direction();
+        const DVec3 e1 = any_perpendicular(light);
+        const DVec3 e2 = cross(light, e1);
+        const LinearPolarizer film{cross(normal, dice.direction())};
+        const auto m = sheet_jones(film, normal, light, e1, e2);
+        const auto back = sheet_jones(film, -normal, light, e1, e2);
+        EXPECT_EQ(m, back);
+        // What passes lies across the light and across the axis in the sheet that is blocked.
+        const DVec3 blocked = cross(normal, film.axis);
+        const DVec3 passed = m[0][0].re * e1 + m[1][0].re * e2;
+        EXPECT_NEAR(dot(passed, blocked), 0.0, 8.0 * eps);
     }
 }
 

@@ -64,18 +64,24 @@ TEST(IdealPolarizer, T13TurnsLightByAFanWithTheLossOfManySmallSteps) {
     }
 }
 
-// A sheet acts on the part of its axis that lies across the light.
-TEST(IdealPolarizer, SeenObliquelyActsByItsProjectedAxis) {
+// One model acts by the part of its axis that lies across the light. The other, film, blocks along b = n x axis = (-c,
+// c - 3 s, s), with the sheet's normal n = (s, 0, c), and passes what is along k x b, that is (c - 3 s, c) for k along
+// z.
+TEST(IdealPolarizer, SeenObliquelyActsByItsProjectedAxisOrAcrossTheOneItBlocks) {
     const double tilt = radians(40.0);
     const DVec3 axis(1.0, 1.0, 3.0);  // in the world: at 45 degrees to the camera, which looks along z
     const DVec3 in_sheet(axis.x * std::cos(tilt) - axis.z * std::sin(tilt), axis.y,
                          axis.x * std::sin(tilt) + axis.z * std::cos(tilt));
-    const std::string tilted =
-        "  - {name: tilted, shape: {disk: {radius: 1}}, transform: [{rotate: {axis: [0, 1, 0], angle: 40}}, "
-        "{translate: "
-        "[0, 0, 3]}], sheet: {polarizer: {axis: " +
-        text(in_sheet) + "}}}\n";
-    expect_stokes(look(stack({}) + tilted), {0.5, 0.0, 0.5, 0.0}, 4.0 * one_sheet);
+    const auto tilted = [&](const std::string& model) {
+        return "  - {name: tilted, shape: {disk: {radius: 1}}, transform: [{rotate: {axis: [0, 1, 0], angle: 40}}, "
+               "{translate: "
+               "[0, 0, 3]}], sheet: {polarizer: {axis: " +
+               text(in_sheet) + model + "}}}\n";
+    };
+    expect_stokes(look(stack({}) + tilted(", model: passing")), {0.5, 0.0, 0.5, 0.0}, 4.0 * one_sheet);
+    const double psi = std::atan2(std::cos(tilt), std::cos(tilt) - 3.0 * std::sin(tilt));
+    expect_stokes(look(stack({}) + tilted("")), {0.5, 0.5 * std::cos(2.0 * psi), 0.5 * std::sin(2.0 * psi), 0.0},
+                  4.0 * one_sheet);
 }
 
 // Light at +45 degrees, fast axis along x: y lags by the retardance and E = (1, exp(i retardance))/sqrt 2, so that
