@@ -152,7 +152,12 @@ int check_scene(const FileRequest& request) {
     const auto test = verify::under_test(verify::small(scene.value(), request.size));
     if (!test) return report(test.error());
     ordered_json out{{"scene", request.file}, {"size", {request.size, request.size}}};
-    if (!request.json) fmt::print("{}: {}x{} pixels\n\n", request.file, request.size, request.size);
+    const std::vector<std::string>& doubts = test.value().plan->features.doubts;
+    if (!request.json) {
+        fmt::print("{}: {}x{} pixels\n\n", request.file, request.size, request.size);
+        for (const std::string& doubt : doubts) fmt::print("doubt: {}\n\n", printable(doubt));
+    }
+    out["doubts"] = doubts;
     bool failed = false;
     for (const Invariant& invariant : verify::invariants()) {
         const InvariantResult result = invariant.check(test.value());

@@ -74,8 +74,9 @@ void write_measures(std::string& out, const Plan& plan, const Explanation& e) {
     const auto row = [&](const char* name, double value, const Interval<double>& bar, bool defined, double scale,
                          const char* unit) {
         if (!defined) return static_cast<void>(fmt::format_to(to, "{:<20} undefined\n", name));
-        fmt::format_to(to, "{:<20} {:<22.15g}{} truth in [{:.6g}, {:.6g}]{}\n", name, scale * value, unit,
-                       scale * bar.low, scale * bar.high, unit);
+        fmt::format_to(to, "{:<20} {:<22.15g}{} {} in [{:.6g}, {:.6g}]{}\n", name, scale * value, unit,
+                       plan.features.doubts.empty() ? "truth" : "but for what is doubted", scale * bar.low,
+                       scale * bar.high, unit);
     };
     row("S0", s.s0, bars->s0, true, 1.0, "");
     row("S1", s.s1, bars->s1, true, 1.0, "");
@@ -89,6 +90,7 @@ void write_measures(std::string& out, const Plan& plan, const Explanation& e) {
         " deg");
     fmt::format_to(to, "{:<20} {}{}\n", "handedness", handedness_of(m),
                    m.handedness > 0 ? " (clockwise for the receiver)" : "");
+    for (const std::string& doubt : plan.features.doubts) fmt::format_to(to, "doubt: {}\n", doubt);
 }
 
 void write_branch(std::string& out, const Plan& plan, const Explanation& e, int index, int indent, double least_share,
@@ -229,11 +231,13 @@ std::string explanation_as_json(const Plan& plan, const Explanation& e) {
                        {"has_polarization", m.has_polarization},
                        {"has_azimuth", m.has_azimuth}};
     if (const auto bars = bars_of(plan, e))
-        out["bounds"] = {{"s0", json_of(bars->s0)},     {"s1", json_of(bars->s1)},
-                         {"s2", json_of(bars->s2)},     {"s3", json_of(bars->s3)},
-                         {"dop", json_of(bars->dop)},   {"dolp", json_of(bars->dolp)},
-                         {"docp", json_of(bars->docp)}, {"ellipticity", json_of(bars->ellipticity)},
-                         {"azimuth_rad", bars->azimuth}};
+        out[plan.features.doubts.empty() ? "bounds" : "bounds_but_for_doubts"] = {
+            {"s0", json_of(bars->s0)},     {"s1", json_of(bars->s1)},
+            {"s2", json_of(bars->s2)},     {"s3", json_of(bars->s3)},
+            {"dop", json_of(bars->dop)},   {"dolp", json_of(bars->dolp)},
+            {"docp", json_of(bars->docp)}, {"ellipticity", json_of(bars->ellipticity)},
+            {"azimuth_rad", bars->azimuth}};
+    out["doubts"] = plan.features.doubts;
     out["resolved"] = e.result.resolved;
     out["absorbed"] = e.result.absorbed;
     out["residual"] = e.result.residual;

@@ -30,6 +30,7 @@ void print_text(const Plan& plan) {
         for (const Feature& feature : plan.features.list)
             if (feature.needed == needed) fmt::print("  {:<28}{}\n", feature.name, feature.reason);
     }
+    for (const std::string& doubt : plan.features.doubts) fmt::print("\ndoubt: {}\n", printable(doubt));
 }
 
 void print_json(const Plan& plan) {
@@ -39,6 +40,7 @@ void print_json(const Plan& plan) {
     out["trees"] = plan.groups.size();
     for (const Feature& feature : plan.features.list)
         out["features"].push_back({{"name", feature.name}, {"needed", feature.needed}, {"reason", feature.reason}});
+    out["doubts"] = plan.features.doubts;
     for (const Region& region : plan.regions) {
         nlohmann::ordered_json entry{{"medium", plan.medium_names[static_cast<std::size_t>(region.medium)]},
                                      {"inside", nlohmann::ordered_json::array()}};

@@ -148,6 +148,7 @@ int run(const RenderRequest& request) {
     if (!compiled) return report(compiled.error());
     std::shared_ptr<const Plan> plan = std::move(compiled).value();
     if (const auto problem = unusable_output(request)) return report(*problem);
+    remark_doubts(*plan);
     if (!fits_memory(*plan)) throw std::bad_alloc();  // program.cpp ends with its message
     RenderTiming timing;
     timing.load_s = seconds_since(load_start);
@@ -192,7 +193,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
     command->add_option("--error", request->error,
                         "Stop when the estimated error is below this share of the picture, for example 0.01");
     command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file");
-    command->add_flag("--quiet", request->quiet, "Print errors only");
+    command->add_flag("--quiet", request->quiet, "Print errors and doubts only");
     command->footer(
         "Ctrl-C stops, writes what is there and exits with 130 (SIGTERM: 143). Ctrl-Z pauses, fg goes on; a pause "
         "counts\n"

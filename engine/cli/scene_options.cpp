@@ -121,6 +121,11 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
     return scene;
 }
 
+void remark_doubts(const Plan& plan) {
+    for (const std::string& doubt : plan.features.doubts)
+        remark(fmt::format("polariscope: doubt: {}\n", printable(doubt)));
+}
+
 Result<LoadedPlan> load_plan(const SceneOptions& options) {
     auto scene = load_scene_with(options);
     if (!scene) return scene.error();

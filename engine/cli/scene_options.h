@@ -44,4 +44,7 @@ struct LoadedPlan {
 };
 Result<LoadedPlan> load_plan(const SceneOptions& options);
 
+/// Says on stderr what the model leaves out though the scene would show it (Features::doubts).
+void remark_doubts(const Plan& plan);
+
 }  // namespace pol

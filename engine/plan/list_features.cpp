@@ -2,11 +2,14 @@
 #include "plan/list_features.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
+#include "core/number_text.h"
+#include "core/units.h"
+#include "plan/coherence.h"
 #include "plan/covers.h"
-
 #include "scene/check.h"
 
 namespace pol {
@@ -138,6 +141,33 @@ void account_for_light(const Scene& scene, const Plan& plan, Account& account) {
          depth ? "the paper's mode: depth " + std::to_string(*plan.settings.depth) : "trees are cut by energy"});
 }
 
+/// Crystals whose absorption their faces should show (media/medium.h, strongest_crystal_extinction).
+std::vector<std::string> doubts_of_crystal_faces(const Scene& scene, const Plan& plan) {
+    constexpr double noticed = 1e-6;
+    std::vector<std::string> sentences;
+    for (std::size_t m = 0; m < plan.medium_names.size(); ++m) {
+        double worst = 0.0;
+        double worst_k = 0.0;
+        for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
+            const MediumAt& medium = plan.groups[static_cast<std::size_t>(plan.group_of_wavelength[w])].media[m];
+            if (medium.dielectric.kind != MediumKind::uniaxial) continue;
+            const double alpha = std::max(medium.absorption.ordinary, medium.absorption.extraordinary);
+            const double k = alpha * plan.wavelengths_nm[w] / (4.0 * pi * scene.unit_nm);
+            const double n = std::min(medium.dielectric.n, medium.dielectric.n_e);
+            const double off = 4.0 * n * k * k / std::pow(n + 1.0, 4);
+            if (off <= worst) continue;
+            worst = off;
+            worst_k = k;
+        }
+        if (worst > noticed)
+            sentences.push_back("faces of '" + plan.medium_names[m] +
+                                "' are followed without its extinction, up to k = " + number_text(worst_k) +
+                                ": what they reflect is off by " + number_text(worst) +
+                                " at normal incidence and by about 3 k where reflection is total");
+    }
+    return sentences;
+}
+
 }  // namespace
 
 Features list_features(const Scene& scene, const Plan& plan) {
@@ -159,6 +189,12 @@ Features list_features(const Scene& scene, const Plan& plan) {
     });
     features.kernel = std::string(features.anisotropic ? "anisotropic" : "isotropic") +
                       (features.absorbing ? ", absorbing" : ", lossless");
+    features.doubts = coherence_doubts(plan, scene.unit_nm);
+    account.list.push_back({"interference", false,
+                            features.doubts.empty()
+                                ? "powers are added: nothing with parallel faces is thinner than light stays coherent"
+                                : "powers are added, though this scene would show it: see below"});
+    for (std::string& doubt : doubts_of_crystal_faces(scene, plan)) features.doubts.push_back(std::move(doubt));
     features.list = std::move(account.list);
     return features;
 }

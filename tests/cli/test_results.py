@@ -195,6 +195,31 @@ class Explain(ProgramTest):
             if group in ("o", "e"):
                 self.assertEqual(node["mode"], group)
 
+    def test_a_film_that_should_show_interference_is_doubted_wherever_numbers_are_given(self):
+        # Quartz of 100 nm between crossed polarizers: o and e differ by 0.91 nm, light of 580 nm stays coherent over um.
+        film = self.write("film.yaml", "camera: {type: orthographic, position: [0, 0, 10], target: [0, 0, 0], "
+                          "up: [0, 1, 0], width: 1}\nbackground: 1\n"
+                          "media: {quartz: {ordinary: 1.5442, extraordinary: 1.5533, axis: [1, 1, 0]}}\nobjects:\n"
+                          "  - {name: plate, shape: {box: {size: [20, 20, 0.0001]}}, medium: quartz}\n")
+        doubt = "'plate' is 100 nm thick"
+        text = self.succeed("explain", film, "--size", "1x1", "--pixel", "0,0")
+        self.assertEqual(text.count("doubt: "), 1)
+        self.assertIn(doubt, text)
+        self.assertIn("powers are added", text)
+        self.assertNotIn("truth", text)
+        tree = strict_json(self.succeed("explain", film, "--size", "1x1", "--pixel", "0,0", "--json"))
+        self.assertIn(doubt, tree["doubts"][0])
+        self.assertNotIn("bounds", tree)
+        self.assertIn("s0", tree["bounds_but_for_doubts"])
+        self.assertIn(doubt, self.succeed("plan", film))
+        self.assertIn(doubt, strict_json(self.succeed("plan", film, "--json"))["doubts"][0])
+        self.assertIn(doubt, self.succeed("check", film, "--size", "2"))
+        self.assertIn(doubt, strict_json(self.succeed("check", film, "--size", "2", "--json"))["doubts"][0])
+        done = self.run_program("render", film, "-o", "film.exr", "--size", "2x2", "--quiet")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(doubt, done.stderr)
+        self.assertEqual(done.stderr.count("polariscope: doubt: "), 1)
+
     def test_a_pixel_case_holds_or_says_by_how_much_it_does_not(self):
         case = CASES / "brewster.yaml"
         self.assertIn("the case holds", self.succeed("explain", "--case", case))

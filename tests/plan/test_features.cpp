@@ -143,5 +143,90 @@ TEST(Features, WavelengthsWithEqualConstantsShareOneTree) {
     EXPECT_FALSE(feature(*box_of("n-bk7", "580"), "dispersion").needed);
 }
 
+/// What the plan of solids over a lamp doubts; lengths are in mm.
+std::vector<std::string> doubts(const std::string& media, const std::string& solids,
+                                const std::string& wavelengths = "580") {
+    return test::plan_of(test::scene_of("camera: {position: [0, -90, 90], target: [0, 0, 0], fov: 30}\n"
+                                        "render: {wavelengths: " +
+                                        wavelengths + "}\nmedia: {" + media + "}\nobjects:\n" + solids))
+        ->features.doubts;
+}
+
+std::string slab(const std::string& thickness, const std::string& medium, const std::string& z = "0") {
+    return "  - {name: slab at " + z + ", shape: {box: {size: [20, 20, " + thickness + "]}}, medium: " + medium +
+           ", transform: [{rotate: {axis: [1, 1, 0], angle: 20}}, {translate: [0, 0, " + z + "]}]}\n";
+}
+
+const std::string quartz = "quartz: {ordinary: 1.5442, extraordinary: 1.5533, axis: [1, 1, 0]}";
+
+// 580 nm taken as 10 nm wide stays coherent over 580^2/10 nm = 33.6 um. Quartz of 0.0091 reaches that at 3.7 mm, glass
+// of 1.5 at 33.64/3 um = 11.2 um.
+TEST(Coherence, PlatesThinnerThanLightStaysCoherentAreNamedWithTheirNumbers) {
+    const auto film = doubts(quartz, slab("0.0001", "quartz"));
+    ASSERT_EQ(film.size(), 1U);
+    for (const char* words : {"'slab at 0' is 100 nm thick", "optical path of 0.91 nm", "coherent over 33.6 um",
+                              "between polarizers this plate would show interference"})
+        EXPECT_NE(film[0].find(words), std::string::npos) << film[0];
+    for (const char* thin : {"0.03", "1", "3.6"}) EXPECT_EQ(doubts(quartz, slab(thin, "quartz")).size(), 1U) << thin;
+    EXPECT_TRUE(doubts(quartz, slab("3.8", "quartz")).empty());
+    EXPECT_EQ(doubts("glass: 1.5", slab("0.011", "glass")).size(), 1U);
+    EXPECT_TRUE(doubts("glass: 1.5", slab("0.0115", "glass")).empty());
+    EXPECT_TRUE(doubts("calcite: {crystal: calcite}", slab("1", "calcite")).empty());
+}
+
+// A wavelength of a list stands for the distance to its neighbor: 600^2/20 nm = 18 um, quartz up to 1.98 mm.
+TEST(Coherence, ShrinksWithTheBandThatAWavelengthStandsFor) {
+    EXPECT_EQ(doubts(quartz, slab("1.9", "quartz"), "560:600:20").size(), 1U);
+    EXPECT_TRUE(doubts(quartz, slab("2.1", "quartz"), "560:600:20").empty());
+}
+
+TEST(Coherence, LooksIntoGapsShellsAndMeshesToo) {
+    const auto gap = doubts("glass: 1.5", slab("1", "glass", "0") + slab("1", "glass", "1.07"));
+    // Faces tilted by 20 degrees, 1.07 apart along z: the gap is 1.07 cos 20 - 1 = 5.47 um.
+    ASSERT_EQ(gap.size(), 1U);
+    EXPECT_NE(gap[0].find("the gap between 'slab at 0' and 'slab at 1.07' is 5.47 um thick"), std::string::npos)
+        << gap[0];
+    const auto ball = [](const char* name, const char* medium, double radius) {
+        return std::string("  - {name: ") + name + ", shape: {sphere: {radius: " + std::to_string(radius) +
+               "}}, medium: " + medium + ", priority: " + (name[0] == 'b' ? "0" : "1") + "}\n";
+    };
+    const auto bubble = doubts("water: 1.33, air: 1", ball("bubble", "water", 5.0) + ball("inside", "air", 4.9995));
+    ASSERT_EQ(bubble.size(), 1U);
+    EXPECT_NE(bubble[0].find("'bubble' is 500 nm thick"), std::string::npos) << bubble[0];
+    Scene scene = test::shipped_scene("cube-glass");
+    const Mesh sheet = make_mesh(BoxShape{{1.0, 1.0, 0.001}}).value();
+    const Mesh away = transformed(sheet, DMat4{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {3, 0, 0, 1}}).value();
+    scene.objects[0].shape = MeshShape{"", std::make_shared<const Mesh>(test::joined(sheet, away))};
+    EXPECT_EQ(test::plan_of(scene)->features.doubts.size(), 1U);
+}
+
+TEST(Coherence, LeavesOutWhatLetsNoLightThroughAndWhatTouches) {
+    EXPECT_TRUE(doubts("gold: {conductor: gold}", slab("0.0001", "gold")).empty());
+    EXPECT_TRUE(doubts("gold: gold", slab("0.001", "gold")).empty());
+    EXPECT_EQ(doubts("gold: gold", slab("0.00002", "gold")).size(), 1U);
+    EXPECT_TRUE(doubts("glass: 1.5, flint: 1.7",
+                       "  - {name: one, shape: {box: {size: 1}}, medium: glass}\n"
+                       "  - {name: two, shape: {box: {size: 1}}, medium: flint, transform: [{translate: [1, 0, 0]}]}\n")
+                    .empty());
+}
+
+// Of the shipped scenes one has such a film: 0.02 mm along x is 15.7 um across the air gap of the Glan prism.
+TEST(Coherence, OfTheShippedScenesOnlyTheAirGapIsDoubted) {
+    for (const std::string& name : test::shipped_scene_names()) {
+        const auto found = test::plan_of(test::shipped_scene(name))->features.doubts;
+        ASSERT_EQ(found.size(), name == "glan-air" ? 1U : 0U) << name;
+        for (const std::string& gap : found) EXPECT_NE(gap.find("is 15.7 um thick"), std::string::npos) << gap;
+    }
+}
+
+// 4 n k^2/(n + 1)^4 with n = 1.5, k = 0.005: 3.84e-6.
+TEST(Features, CrystalsWhoseFacesShouldShowTheirAbsorptionAreDoubted) {
+    const auto found = doubts("dye: {ordinary: [1.5, 0.005], extraordinary: 1.6}", slab("4", "dye"));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NE(found[0].find("'dye'"), std::string::npos);
+    EXPECT_NE(found[0].find("3.84"), std::string::npos) << found[0];
+    EXPECT_TRUE(doubts("dye: {ordinary: [1.5, 0.002], extraordinary: 1.6}", slab("4", "dye")).empty());
+}
+
 }  // namespace
 }  // namespace pol

@@ -99,7 +99,7 @@ void draw_matrix(const PixelSheet& sheet) {
     ImGui::EndTable();
 }
 
-void draw_group(const SheetGroup& group) {
+void draw_group(const SheetGroup& group, bool doubted) {
     if (!ImGui::CollapsingHeader(group.title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (!ImGui::BeginTable(group.title.c_str(), 3)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
@@ -114,7 +114,9 @@ void draw_group(const SheetGroup& group) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row.bar.c_str());
         if (!row.bar.empty() && ImGui::IsItemHovered())
-            ImGui::SetTooltip("The truth lies in this range: a rigorous bound from residual and tail\n%s",
+            ImGui::SetTooltip("%s\n%s",
+                              doubted ? "Range from residual and tail; what the status line doubts comes on top"
+                                      : "The truth lies in this range: a rigorous bound from residual and tail",
                               row.exact_bar.c_str());
     }
     ImGui::EndTable();
@@ -161,7 +163,8 @@ void PixelPanel::draw(Session& session) {
         ImGui::TreePop();
     }
     draw_polarization_ellipse(sheet.seen, ImGui::GetFontSize() * 10.0F);
-    for (std::size_t i = 1; i < sheet.groups.size(); ++i) draw_group(sheet.groups[i]);
+    const bool doubted = session.current()->has_scene() && !session.current()->plan()->features.doubts.empty();
+    for (std::size_t i = 1; i < sheet.groups.size(); ++i) draw_group(sheet.groups[i], doubted);
     draw_curves(session);
 }
 

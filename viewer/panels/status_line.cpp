@@ -68,11 +68,20 @@ std::string sampling_text(const PictureError& error) {
     return "sampling \u00b1" + percent(*error.sampling) + " (estimated, 68 %)";
 }
 
-/// The three figures that say how good the picture is.
-void draw_errors(const FilmStatus& film, const ThemeColors& color) {
+/// What the picture leaves out, and the three figures that say how good it is else.
+void draw_errors(const Features& features, const FilmStatus& film, const ThemeColors& color) {
+    if (!features.doubts.empty()) {
+        std::string all;
+        for (const std::string& doubt : features.doubts) all += (all.empty() ? "" : "\n\n") + doubt;
+        entry("doubt", color.warning, "doubt: " + features.doubts.front().substr(0, features.doubts.front().find(':')),
+              all.c_str());
+    }
     if (film.mean_samples <= 0.0) return;
-    entry("bound", color.text, "off by at most " + percent(film.error.truncation),
-          "How far the picture may be off because light was not traced: a rigorous bound, relative to the picture.");
+    const bool doubted = !features.doubts.empty();
+    entry("bound", color.text, (doubted ? "untraced at most " : "off by at most ") + percent(film.error.truncation),
+          doubted ? "How far the picture may be off because light was not traced. What is doubted comes on top."
+                  : "How far the picture may be off because light was not traced: a rigorous bound, relative to the "
+                    "picture.");
     entry("sampling", color.text, sampling_text(film.error),
           "How far the picture is off because of too few samples: in mode area an estimate from two independent\n"
           "halves of them. In mode point every pixel is the light at its centre; where random paths stand for a part\n"
@@ -127,7 +136,7 @@ void draw_status_line(Session& session) {
         if (document->has_scene()) {
             const RenderProgress progress = document->progress();
             draw_progress(*document, progress, color);
-            draw_errors(progress.film, color);
+            draw_errors(document->plan()->features, progress.film, color);
         } else {
             entry("progress", color.text, "picture from a file", "Nothing is traced: there is no scene.");
         }
