@@ -54,7 +54,10 @@ Result<Dielectric<double>> read_medium(const Json& object, const char* key) {
     if (type == "isotropic") {
         const Result<double> n = read_number(medium, key, "n", 0.0, false);
         if (!n) return n.error();
-        return make_isotropic(n.value());
+        if (!medium.contains("k")) return make_isotropic(n.value());
+        const Result<double> k = read_number(medium, key, "k", 0.0, true);
+        if (!k) return k.error();
+        return make_isotropic(n.value(), k.value());
     }
     if (type == "uniaxial") {
         const Result<double> n_o = read_number(medium, key, "no", 0.0, false);

@@ -21,14 +21,15 @@ struct InterfaceCase {
 };
 
 /// Reads {"normal": [x,y,z], "wave_normal": [x,y,z], "medium1": M, "medium2": M}; other keys are ignored. M is
-/// {"type": "isotropic", "n"}, {"type": "uniaxial", "no", "ne", "axis"}, or for medium 2 {"type": "conductor", "n",
-/// "k"}. Vectors need not be unit. Errors (kind input) name the key.
+/// {"type": "isotropic", "n"} with a "k" if it absorbs, {"type": "uniaxial", "no", "ne", "axis"}, or for medium 2
+/// {"type": "conductor", "n", "k"}. Vectors need not be unit. Errors (kind input) name the key.
 Result<InterfaceCase> read_interface_case(const std::string& line);
 
 /// {"case": its name, "incident": [one object per eigenwave of medium 1: label, kind, degenerate, k, E, ray and out, or
 /// not_incident]}. `out` holds the waves that leave, reflected first: side (R, T), label (s, p, o, e), kind,
 /// degenerate, k, E, ray, amp (flux-normalised, [re, im]) and power; evanescent ones side, label, kind, k, k_im and
-/// power 0. A conductor adds `absorbed`. degenerate: the wave has any polarization, so (s, p) is a choice. Waves inside
+/// power 0. An absorbing medium adds `absorbed`
+/// (BoundaryResponse::absorption). degenerate: the wave has any polarization, so (s, p) is a choice. Waves inside
 /// like matter that reflect nothing at all are not listed.
 nlohmann::ordered_json solve_interface_case(const InterfaceCase& interface);
 

@@ -24,6 +24,7 @@
 #include "core/units.h"
 #include "io/assets.h"
 #include "io/index_file.h"
+#include "media/medium.h"
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {
@@ -86,8 +87,13 @@ Error in_option(Error error, const std::string& option) {
     return error;
 }
 
-/// Extinction from which a record counts as a metal here: its field dies within a few wavelengths.
+/// Surfaces are those of n + i k whatever k is; from this k on, what enters is listed as absorbed and not as a wave:
+/// its field dies within a few wavelengths.
 constexpr double metal_extinction = 0.01;
+
+Dielectric<double> matter(const ComplexIndex& index) {
+    return index.k >= metal_extinction ? make_conductor(index.n, index.k) : make_isotropic(index.n, index.k);
+}
 
 Result<Dielectric<double>> crystal(double n_o, double n_e, const std::vector<double>& axis,
                                    const std::string& axis_option) {
@@ -106,7 +112,7 @@ Result<Dielectric<double>> medium(const std::string& text, const std::vector<dou
     if (const auto numbers = numbers_in(text); numbers || looks_like_numbers) {
         const std::vector<double> v = numbers ? numbers->values : std::vector<double>{};
         const bool two = v.size() == 2 && in_range(v[0]);
-        if (two && numbers->is_complex && v[1] >= 0.0 && v[1] <= 1000.0) return make_conductor(v[0], v[1]);
+        if (two && numbers->is_complex && v[1] >= 0.0 && v[1] <= 1000.0) return matter({v[0], v[1]});
         if (two && !numbers->is_complex && in_range(v[1])) return crystal(v[0], v[1], axis, axis_option);
         if (v.size() == 1 && !numbers->is_complex && in_range(v[0])) return make_isotropic(v[0]);
         return usage_error(option, fmt::format("'{}' is no medium", text),
@@ -119,9 +125,10 @@ Result<Dielectric<double>> medium(const std::string& text, const std::vector<dou
         if (!n_o) return n_o.error();
         const Result<ComplexIndex> n_e = index_at(records.value().extraordinary, wavelength_nm);
         if (!n_e) return n_e.error();
-        if (std::max(n_o.value().k, n_e.value().k) >= metal_extinction)
-            return usage_error(option, fmt::format("'{}' absorbs too much for a crystal here", text),
-                               fmt::format("extinction below {} is left out, more is not solved", metal_extinction));
+        const double k = std::max(n_o.value().k, n_e.value().k);
+        if (k >= strongest_crystal_extinction)
+            return usage_error(option, fmt::format("'{}' has an extinction of {:g}: too much for a crystal", text, k),
+                               "crystals are followed with real indices; a metal is written n+ki");
         return crystal(n_o.value().n, n_e.value().n, axis, axis_option);
     }
     const Result<RefractiveIndex> record = load_index(text, assets_dir());
@@ -131,12 +138,12 @@ Result<Dielectric<double>> medium(const std::string& text, const std::vector<dou
     if (extinction_is_unknown(record.value(), wavelength_nm))
         remark(
             fmt::format("polariscope: k of '{}' is not known at {} nm: 0 is used\n", printable(text), wavelength_nm));
-    if (n.value().k >= metal_extinction) return make_conductor(n.value().n, n.value().k);
-    return make_isotropic(n.value().n);
+    return matter(n.value());
 }
 
 std::string describe(const Dielectric<double>& m) {
-    if (m.kind == MediumKind::isotropic) return fmt::format("isotropic, n = {:.9g}", m.n);
+    if (m.kind == MediumKind::isotropic)
+        return fmt::format("isotropic, n = {:.9g}", m.n) + (m.is_complex() ? fmt::format(" + {:.9g} i", m.kappa) : "");
     if (m.kind == MediumKind::conductor) return fmt::format("conductor, n = {:.9g} + {:.9g} i", m.n, m.kappa);
     return fmt::format("uniaxial, n_o = {:.9g}, n_e = {:.9g}, axis ({:.6f}, {:.6f}, {:.6f})", m.n, m.n_e, m.axis.x,
                        m.axis.y, m.axis.z);
@@ -254,10 +261,11 @@ Result<Done> run_cases(const std::string& path) {
 
 constexpr const char* footer =
     "Media: air; an index (1.5); a crystal n_o,n_e (1.6584,1.4864); a metal n+ki (0.3+2.84i); a record of\n"
-    "assets/refractive_index (n-bk7, gold) or a path to one; calcite means the records calcite-o and calcite-e, ./spar "
-    "the\n"
-    "files ./spar-o.yml and ./spar-e.yml.\n"
-    "Records with an extinction from 0.01 on count as metals, below it extinction is left out.\n"
+    "assets/refractive_index (n-bk7, gold) or a path to one; calcite means the records calcite-o and calcite-e,\n"
+    "./spar the files ./spar-o.yml and ./spar-e.yml.\n"
+    "The surface of an absorbing medium is that of n+ki. From k = 0.01 on what enters counts as absorbed, below it as\n"
+    "a wave. Light in an absorbing first medium interferes with its reflection: 'absorbed' has what that takes or\n"
+    "adds. Crystals are solved with real indices, and refused from k = 0.01 on.\n"
     "Frame: the normal is z, from the first medium to the second; the wave normal lies in the xz plane.\n"
     "Waves: s and p (s along y), o and e in crystals. Powers are shares of the incident energy flux, phases are in\n"
     "degrees for fields as exp(-i omega t).\n"

@@ -2,6 +2,8 @@
 // Beer-Lambert absorption along a ray. Power falls as exp(-alpha length).
 #pragma once
 
+#include <cmath>
+
 #include "core/vec.h"
 
 namespace pol {
@@ -15,6 +17,15 @@ struct AbsorptionAt {
     [[nodiscard]] bool absorbs() const { return ordinary != 0.0 || extraordinary != 0.0; }
     friend bool operator==(const AbsorptionAt&, const AbsorptionAt&) = default;
 };
+
+/// Absorption coefficient along the ray of a wave in an isotropic medium of index n + i kappa, `k` the real part of its
+/// wave vector. Behind a plane face the wave has Im k along the normal, and Re k . Im k = n kappa however it leans: the
+/// power falls as exp(-alpha n/|k| length) along k. |k| = n for a wave of real direction.
+template <class Real>
+Real pair_absorption(const AbsorptionAt& alpha, const Real& n, const Vec3<Real>& k) {
+    using std::sqrt;
+    return Real(alpha.ordinary) * n / sqrt(length2(k));
+}
 
 /// Absorption coefficient of a weakly absorbing crystal mode along its ray (physics.md 2.9):
 /// alpha = k0 E^H eps'' E / |Re(E x H*)| with eps'' = n alpha / k0 along each principal axis and, for unit E,

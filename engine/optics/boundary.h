@@ -54,8 +54,10 @@ struct BoundaryResponse {
     /// Propagating outgoing waves: at most two per side.
     std::array<OutgoingWave<Real>, 4> outgoing{};
     int outgoing_count = 0;
-    /// Power that a conductor swallows: absorbed = a^H absorption a for the incident amplitudes a. Hermitian, zero
-    /// for lossless media. Computed from the field inside the conductor, not as 1 - R.
+    /// Power that is lost at the boundary: a^H absorption a for the incident amplitudes a. Hermitian, zero for lossless
+    /// media. What a conductor, or an absorbing medium whose wave dies at once, swallows, computed from the field
+    /// inside and not as 1 - R; in an absorbing medium 1 also what the interference of incident and reflected wave
+    /// takes, or, being negative, adds (AbsorbingFresnel::mixed_s).
     std::array<std::array<Complex<Real>, 2>, 2> absorption{};
     bool absorbs = false;
 };

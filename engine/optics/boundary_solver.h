@@ -34,6 +34,15 @@ Incidence<Real> describe_incidence(const IncidenceFrame<Real>& frame, const Diel
     incidence.index = medium.n;
     if (wave.kind == WaveKind::pair) {
         incidence.modes = 2;
+        incidence.pair_n = Complex<Real>(medium.n, medium.kappa);
+        incidence.pair_q = Complex<Real>(frame.q);
+        if (medium.kappa != Real(0) && frame.q > Real(0)) {
+            incidence.index = sqrt(length2(wave.k));
+            incidence.pair_q = conductor_q(incidence.index, medium.n, medium.kappa, frame.q);
+            incidence.flux = abs(incidence.pair_q);
+            const Complex<Real> y = incidence.pair_q * conj(incidence.pair_n * incidence.pair_n);
+            incidence.flux_factor = {sqrt(incidence.pair_q.re / incidence.flux), sqrt(y.re / abs(y))};
+        }
         incidence.mode = {s_mode<Real, Real>(frame.q), p_mode<Real, Real>(medium.n, frame.k_t, frame.q)};
         return incidence;
     }
@@ -115,7 +124,7 @@ BoundaryResponse<Real> respond_in_full(const Dielectric<Real>& medium1, const Di
     response.incident = true;
     response.incident_modes = incident.mode_count();
     Wave<Real> wave = incident;
-    if (incident.kind == WaveKind::pair) wave = detail::pair_wave(incident.k, medium1.n, frame.s);
+    if (incident.kind == WaveKind::pair) wave = detail::pair_wave(incident.k, incidence.index, frame.s);
     response.incident_field = {wave.field[0], wave.field[1]};
     if (same_matter(medium1, medium2)) {
         OutgoingWave<Real> out{Side::transmitted, wave, {}};
@@ -128,7 +137,7 @@ BoundaryResponse<Real> respond_in_full(const Dielectric<Real>& medium1, const Di
     } else if (medium2.kind == MediumKind::uniaxial) {
         const CrystalFace<Real> face2 = crystal_face(medium2, frame);
         const CrystalRoots<Real> roots = crystal_roots(face2, incidence.gap(medium2.n), Real(1));
-        if (roots.o_propagates && roots.e_propagates) {
+        if (roots.o_propagates && roots.e_propagates && medium1.kappa == Real(0)) {
             detail::enter_crystal<Real>(response, incidence, medium2, face2, roots);
         } else {
             detail::enter_crystal<Complex<Real>>(response, incidence, medium2, face2, roots);

@@ -2,7 +2,7 @@
 // The equations of a plane boundary, one function per pair of media
 // (physics.md 2.1 to 2.7). Use respond() of boundary_solver.h.
 //
-// Isotropic dielectric or conductor behind an isotropic medium: Fresnel. With a
+// Isotropic media, transparent or absorbing, and conductors: Fresnel. With a
 // crystal on one side, the two amplitudes on the isotropic side are eliminated
 // by hand and a 2x2 system in the crystal's amplitudes remains; crystal against
 // crystal is a 4x4 system. Systems are real unless a wave is evanescent. What
@@ -30,8 +30,12 @@ namespace detail {
 template <class Real>
 struct Incidence {
     IncidenceFrame<Real> frame{};
-    Real index{};                                 ///< |k|
-    Real flux{};                                  ///< energy flux to the boundary of each mode, unit E
+    Real index{};            ///< |k|
+    Real flux{};             ///< energy flux to the boundary of each mode, unit E; absorbing: |q|
+    Complex<Real> pair_n{};  ///< index of a pair, complex if it absorbs
+    Complex<Real> pair_q{};  ///< normal component of its wave vector; frame.q if lossless
+    /// sqrt(Re z/|z|) for the flux z of unit E_s, H_p of a pair: 1 if lossless.
+    std::array<Real, 2> flux_factor{Real(1), Real(1)};
     std::array<LocalMode<Real, Real>, 2> mode{};  ///< what the boundary is solved for
     std::size_t modes = 1;
     MirrorSplit<Real> split{};  ///< if done, mode[0] is the rest without the mirror wave's share
@@ -143,13 +147,22 @@ void add_pair(BoundaryResponse<Real>& response, Side side, const IncidenceFrame<
 template <class Real>
 void meet_isotropic(BoundaryResponse<Real>& response, const Incidence<Real>& incidence,
                     const Dielectric<Real>& medium2) {
+    using std::sqrt;
     const IncidenceFrame<Real>& frame = incidence.frame;
     const Complex<Real> zero;
-    if (medium2.kind == MediumKind::conductor) {
-        const ConductorFresnel<Real> f = conductor_fresnel(incidence.index, medium2.n, medium2.kappa, frame.q);
+    if (incidence.pair_n.im != Real(0) || medium2.is_complex()) {
+        const AbsorbingFresnel<Real> f =
+            absorbing_fresnel(incidence.pair_n, {medium2.n, medium2.kappa}, incidence.index, frame.q);
         add_pair<Real>(response, Side::reflected, frame, -frame.q, incidence.index, {{{f.r_s, zero}, {zero, f.r_p}}});
-        response.absorption = {{{Complex<Real>(f.absorbed_s), zero}, {zero, Complex<Real>(f.absorbed_p)}}};
+        response.absorption = {{{Complex<Real>(f.mixed_s), zero}, {zero, Complex<Real>(f.mixed_p)}}};
         response.absorbs = true;
+        if (f.goes_on && medium2.kind == MediumKind::isotropic) {
+            add_pair<Real>(response, Side::transmitted, frame, f.q2.re, sqrt(frame.k_t * frame.k_t + f.q2.re * f.q2.re),
+                           {{{f.t_s, zero}, {zero, f.t_p}}});
+        } else {
+            response.absorption[0][0].re += f.into_s;
+            response.absorption[1][1].re += f.into_p;
+        }
         return;
     }
     const Fresnel<Real> f = fresnel(incidence.index, medium2.n, frame.q);
@@ -164,20 +177,21 @@ void meet_isotropic(BoundaryResponse<Real>& response, const Incidence<Real>& inc
 ///     sum_j u_j (q E_y - H_x)_j = 2 a_s,     sum_j u_j (n^2 E_x + q H_y)_j =
 ///     -2 n a_p,
 /// and the reflected b_s = 1/2 sum u_j (q E_y + H_x)_j, b_p = 1/2 sum u_j (n
-/// E_x - (q/n) H_y)_j: no division by q.
+/// E_x - (q/n) H_y)_j: no division by q. In an absorbing medium n and q are
+/// complex, and powers of incident and reflected waves are not independent.
 template <class Scalar, class Real>
 void enter_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& incidence, const Dielectric<Real>& crystal,
                    const CrystalFace<Real>& face, const CrystalRoots<Real>& roots) {
     const std::array<LocalMode<Real, Scalar>, 2> modes = crystal_modes<Scalar>(crystal, face, roots);
-    const Real q = incidence.frame.q;
-    const Real n = incidence.index;
+    const Scalar q = as_scalar(incidence.pair_q, Scalar{});
+    const Scalar n = as_scalar(incidence.pair_n, Scalar{});
     std::array<std::array<Scalar, 2>, 2> m;
     for (std::size_t j = 0; j < 2; ++j) {
         m[0][j] = modes[j].e.y * q - modes[j].h_x;
         m[1][j] = modes[j].e.x * (n * n) + modes[j].h_y * q;
     }
     const Scalar zero(Real(0));
-    Amplitudes<Scalar> u = {{{Scalar(Real(2)), zero}, {zero, Scalar(Real(-2) * n)}}};
+    Amplitudes<Scalar> u = {{{Scalar(Real(2)), zero}, {zero, Real(-2) * n}}};
     solve_2x2(m, u, 2);
     std::array<std::array<Complex<Real>, 2>, 2> reflected;
     for (std::size_t c = 0; c < 2; ++c) {
@@ -187,12 +201,24 @@ void enter_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
             b_s = b_s + u[c][j] * (modes[j].e.y * q + modes[j].h_x);
             b_p = b_p + u[c][j] * (modes[j].e.x * n - modes[j].h_y * (q / n));
         }
-        reflected[0][c] = Complex<Real>(b_s) / Real(2);
-        reflected[1][c] = Complex<Real>(b_p) / Real(2);
-        for (std::size_t j = 0; j < 2; ++j) u[c][j] = u[c][j] * q;
+        const Real per_in = Real(1) / incidence.flux_factor[c];
+        reflected[0][c] = Complex<Real>(b_s) * (incidence.flux_factor[0] * per_in) / Real(2);
+        reflected[1][c] = Complex<Real>(b_p) * (incidence.flux_factor[1] * per_in) / Real(2);
+        for (std::size_t j = 0; j < 2; ++j) u[c][j] = u[c][j] * q * per_in;
     }
-    add_pair(response, Side::reflected, incidence.frame, -q, n, reflected);
+    add_pair(response, Side::reflected, incidence.frame, -incidence.frame.q, incidence.index, reflected);
     add_crystal_waves(response, Side::transmitted, crystal, incidence, roots, modes, u);
+    if (incidence.pair_n.im == Real(0)) return;
+    // As mixed_s, mixed_p of AbsorbingFresnel, for a reflection that turns s into p.
+    const Complex<Real> y = incidence.pair_q * conj(incidence.pair_n * incidence.pair_n);
+    const std::array<Real, 2> loss{incidence.pair_q.im / incidence.pair_q.re, y.im / y.re};
+    const Complex<Real> i(Real(0), Real(1));
+    for (std::size_t a = 0; a < 2; ++a) {
+        for (std::size_t b = 0; b < 2; ++b) {
+            response.absorption[a][b] = i * (reflected[a][b] * loss[a] - conj(reflected[b][a]) * loss[b]);
+        }
+    }
+    response.absorbs = true;
 }
 
 /// Crystal to isotropic dielectric or conductor with normal wave vector
@@ -220,8 +246,8 @@ void leave_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
     solve_2x2(m, a, static_cast<int>(incidence.modes));
     add_reflected(response, crystal, incidence, roots, modes, a);
 
-    const bool absorbs = medium2.kind == MediumKind::conductor;
-    if (!absorbs && q2_complex.im != Real(0)) return;
+    const bool goes_on = medium2.kind == MediumKind::isotropic && q2_complex.re >= q2_complex.im;
+    if (!goes_on && !medium2.is_complex()) return;
     std::array<std::array<Complex<Real>, 2>, 2> inside{};  // E_y and H_y behind the boundary, per incident mode
     for (std::size_t c = 0; c < incidence.modes; ++c) {
         Scalar e_y = Scalar(incidence.mode[c].e.y);
@@ -233,7 +259,8 @@ void leave_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
         inside[0][c] = Complex<Real>(e_y);
         inside[1][c] = Complex<Real>(h_y);
     }
-    if (absorbs) {
+    const Complex<Real> n2(medium2.n, medium2.kappa);
+    if (!goes_on) {
         const Real weight_s = q2_complex.re / incidence.flux;
         const Real weight_p = (q2_complex * conj(eps2_complex)).re / (norm2(eps2_complex) * incidence.flux);
         for (std::size_t i = 0; i < incidence.modes; ++i) {
@@ -246,11 +273,19 @@ void leave_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
         return;
     }
     const Real scale = sqrt(q2_complex.re / incidence.flux);
+    Real length = medium2.n;
+    Complex<Real> to_p(-scale / medium2.n);
+    if (medium2.kappa != Real(0)) {  // |to_p|^2 = Re(q2/eps2)/flux, with the phase of E_p as AbsorbingFresnel has it
+        const Real k_t = incidence.frame.k_t;
+        length = sqrt(k_t * k_t + q2_complex.re * q2_complex.re);
+        const Real size2 = (q2_complex * conj(eps2_complex)).re / (norm2(eps2_complex) * incidence.flux);
+        to_p = conj(n2) * -sqrt(size2 / norm2(n2));
+    }
     for (std::size_t c = 0; c < incidence.modes; ++c) {
         inside[0][c] = inside[0][c] * scale;
-        inside[1][c] = inside[1][c] * (-scale / medium2.n);
+        inside[1][c] = inside[1][c] * to_p;
     }
-    add_pair(response, Side::transmitted, incidence.frame, q2_complex.re, medium2.n, inside);
+    add_pair(response, Side::transmitted, incidence.frame, q2_complex.re, length, inside);
 }
 
 /// Crystal to crystal: tangential E and H of incident and reflected waves equal

@@ -9,7 +9,7 @@
 namespace pol {
 
 enum class MediumKind : std::uint8_t {
-    isotropic,  ///< real index, one 2x2 state per wave vector
+    isotropic,  ///< one 2x2 state per wave vector; a complex index if it absorbs
     uniaxial,   ///< ordinary and extraordinary modes, real indices
     conductor,  ///< complex index; nothing is followed into it
 };
@@ -22,17 +22,21 @@ enum class MediumKind : std::uint8_t {
 template <class Real>
 struct Dielectric {
     MediumKind kind = MediumKind::isotropic;
-    Real n{};      ///< index (isotropic), ordinary index (uniaxial), real part of the index (conductor)
+    Real n{};      ///< ordinary index (uniaxial), else the index or its real part
     Real n_e{};    ///< extraordinary principal index; equals n unless uniaxial
-    Real kappa{};  ///< imaginary part of the index n + i kappa, exp(-i omega t); 0 unless conductor
+    Real kappa{};  ///< imaginary part of the index n + i kappa, exp(-i omega t); 0 for uniaxial
     Vec3<Real> axis{Real(0), Real(0), Real(1)};  ///< optic axis, unit; its sign has no meaning
+
+    /// Its surface needs the complex index.
+    [[nodiscard]] bool is_complex() const { return kind == MediumKind::conductor || kappa != Real(0); }
 
     friend bool operator==(const Dielectric&, const Dielectric&) = default;
 };
 
+/// `kappa` is that of all its absorption: alpha = 4 pi kappa / lambda.
 template <class Real>
-Dielectric<Real> make_isotropic(const Real& n) {
-    return {MediumKind::isotropic, n, n, Real(0), {Real(0), Real(0), Real(1)}};
+Dielectric<Real> make_isotropic(const Real& n, const Real& kappa = Real(0)) {
+    return {MediumKind::isotropic, n, n, kappa, {Real(0), Real(0), Real(1)}};
 }
 
 /// Requires: `axis` is not zero.

@@ -23,8 +23,8 @@ void list_decaying(std::vector<EvanescentMode<Real>>& modes, Side side, const In
 }  // namespace detail
 
 /// Evanescent outgoing modes of both sides: of a medium-2 dielectric beyond its critical angle s and p, of a crystal o
-/// or e or both. Empty if the wave is not incident, if the media are the same matter, and for conductors, whose field
-/// carries power. k_im points away from the boundary. Requirements as for `respond`.
+/// or e or both. Empty if the wave is not incident, if the media are the same matter, and for absorbing media, whose
+/// field carries power. k_im points away from the boundary. Requirements as for `respond`.
 template <class Real>
 std::vector<EvanescentMode<Real>> evanescent_modes(const Dielectric<Real>& medium1, const Dielectric<Real>& medium2,
                                                    const Vec3<Real>& normal, const Wave<Real>& incident) {
@@ -40,7 +40,7 @@ std::vector<EvanescentMode<Real>> evanescent_modes(const Dielectric<Real>& mediu
     if (medium2.kind == MediumKind::uniaxial) {
         const CrystalFace<Real> face2 = crystal_face(medium2, frame);
         detail::list_decaying(modes, Side::transmitted, frame, crystal_roots(face2, incidence.gap(medium2.n), Real(1)));
-    } else if (medium2.kind == MediumKind::isotropic) {
+    } else if (!medium2.is_complex()) {
         const Complex<Real> q2 = conductor_q(incidence.index, medium2.n, Real(0), frame.q);
         for (int i = 0; i < 2 && q2.im != Real(0); ++i) {
             modes.push_back({Side::transmitted, WaveKind::pair, i, frame.tangential, q2.im * normal});

@@ -32,6 +32,9 @@ std::string direction_text(const DVec3& d) {
 /// on.
 constexpr std::size_t most_half_spaces = 4096;
 
+/// Radiance is defined where a wave keeps its power over many wavelengths.
+constexpr double strongest_camera_extinction = 0.01;
+
 /// Shape of a solid in world space: half-spaces where it is flat-faced and convex, else a sphere or a mesh.
 using SolidShape = std::variant<HalfSpaceSolid, Sphere, MeshBody>;
 
@@ -222,6 +225,15 @@ bool is_isotropic(const Plan& plan, int region) {
     return plan.groups[0].media[medium].dielectric.kind == MediumKind::isotropic;
 }
 
+/// Isotropic, and absorbing too little for a wave to notice at any wavelength.
+bool is_fit_for_camera(const Plan& plan, int region) {
+    const auto medium = static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium);
+    return is_isotropic(plan, region) &&
+           std::all_of(plan.groups.begin(), plan.groups.end(), [&](const WavelengthGroup& group) {
+               return group.media[medium].dielectric.kappa < strongest_camera_extinction;
+           });
+}
+
 /// The rectangle that the rays of an orthographic picture start on.
 OpenSurface start_of_rays(const Camera& camera, const RenderSettings& settings) {
     const auto corner = [&](double x, double y) {
@@ -238,7 +250,7 @@ OpenSurface start_of_rays(const Camera& camera, const RenderSettings& settings) 
     return OpenSurface::from(RectangleShape{{1.0, 1.0}}, to_world).value();
 }
 
-/// A region other than isotropic that some pixel's ray starts in, looked for at no more than 65536 pixel centres; -1 if
+/// A region unfit for a camera that some pixel's ray starts in, looked for at no more than 65536 pixel centres; -1 if
 /// there is none. The tracer fails the samples that start in a sliver between them.
 int unfit_start(const Plan& plan) {
     const int width = plan.settings.width;
@@ -247,7 +259,7 @@ int unfit_start(const Plan& plan) {
     for (int y = 0; y < height; y += step)
         for (int x = 0; x < width; x += step) {
             const int region = plan.region_at(plan.camera.ray(x + 0.5, y + 0.5).origin);
-            if (!is_isotropic(plan, region)) return region;
+            if (!is_fit_for_camera(plan, region)) return region;
         }
     return -1;
 }
@@ -262,21 +274,23 @@ Result<Done> place_camera(const Scene& scene, Plan& plan) {
         for (std::size_t r = 0; r < plan.regions.size(); ++r)
             if (reach.into(plan.regions[r], start)) plan.camera_regions.push_back(static_cast<int>(r));
         const bool all_fit = std::all_of(plan.camera_regions.begin(), plan.camera_regions.end(),
-                                         [&](int r) { return is_isotropic(plan, r); });
+                                         [&](int r) { return is_fit_for_camera(plan, r); });
         if (!all_fit) unfit = unfit_start(plan);
     } else {
         plan.camera_regions = {plan.region_at(scene.camera.position)};
-        if (!is_isotropic(plan, plan.camera_regions[0])) unfit = plan.camera_regions[0];
+        if (!is_fit_for_camera(plan, plan.camera_regions[0])) unfit = plan.camera_regions[0];
     }
     plan.camera_region = plan.camera_regions.size() == 1 ? plan.camera_regions[0] : -1;
     if (unfit < 0) return Done{};
     const int owner = plan.regions[static_cast<std::size_t>(unfit)].owner;
-    return at_place({ErrorKind::input,
-                     "the camera is inside '" + plan.solid(owner).name + "', which is not isotropic",
-                     {},
-                     "camera.position",
-                     "a pixel's coherence matrix needs an isotropic medium: move the camera out"},
-                    scene, scene.camera.place);
+    return at_place(
+        {ErrorKind::input,
+         "the camera is inside '" + plan.solid(owner).name + "', which " +
+             (is_isotropic(plan, unfit) ? "absorbs all light within a few wavelengths" : "is not isotropic"),
+         {},
+         "camera.position",
+         "a pixel's coherence matrix needs an isotropic medium with k below 0.01: move the camera out"},
+        scene, scene.camera.place);
 }
 
 }  // namespace
@@ -304,6 +318,13 @@ Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kern
     if (auto done = group_wavelengths(scene, media, *plan); !done) return done.error();
     if (plan->groups[0].media[0].dielectric.kind != MediumKind::isotropic)
         return Error{ErrorKind::input, "the ambient medium must be isotropic", {}, "ambient", {}};
+    for (const WavelengthGroup& group : plan->groups)
+        if (group.media[0].dielectric.kappa >= strongest_camera_extinction)
+            return Error{ErrorKind::input,
+                         "the ambient medium absorbs all light within a few wavelengths",
+                         {},
+                         "ambient",
+                         "a camera needs a medium whose k is below 0.01"};
     if (auto done = arrange(scene, *plan); !done) return done.error();
     if (auto done = place_camera(scene, *plan); !done) return done.error();
     if (auto done = compile_light(scene, *plan); !done) return done.error();

@@ -182,7 +182,8 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
         double camera = 0.0;
         for (std::size_t r = 0; r < plan.regions.size(); ++r) {
             const auto& d = media[static_cast<std::size_t>(plan.regions[r].medium)].dielectric;
-            if (d.kind != MediumKind::conductor) smallest = std::min(smallest, smallest_ray_index2(d));
+            // Nothing is followed into a metal, however it is written.
+            if (d.kind != MediumKind::conductor && d.kappa < d.n) smallest = std::min(smallest, smallest_ray_index2(d));
         }
         for (const int r : plan.camera_regions) {
             const auto& d =

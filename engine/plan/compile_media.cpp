@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/number_text.h"
 #include "core/overloaded.h"
 #include "core/units.h"
 #include "spectrum/illuminant.h"
@@ -46,13 +47,19 @@ double absorption_of(double k, double wavelength_nm, double unit_nm) {
     return 4.0 * pi * k / wavelength_nm * unit_nm;
 }
 
+/// And back.
+double extinction_of(double alpha, double wavelength_nm, double unit_nm) {
+    return alpha * wavelength_nm / (4.0 * pi * unit_nm);
+}
+
 Result<MediumAt> isotropic_at(const IsotropicMedium& matter, double nm, double unit_nm) {
     const auto index = index_at(matter.index, nm);
     if (!index) return index.error();
     const auto alpha = evaluate(matter.absorption, nm);
     if (!alpha) return alpha.error();
     const double total = alpha.value() + absorption_of(index.value().k, nm, unit_nm);
-    return MediumAt{make_isotropic(index.value().n), {total, total}};
+    const double kappa = index.value().k + extinction_of(alpha.value(), nm, unit_nm);
+    return MediumAt{make_isotropic(index.value().n, kappa), {total, total}};
 }
 
 Result<MediumAt> uniaxial_at(const UniaxialMedium& matter, const DVec3& axis_world, double nm, double unit_nm) {
@@ -72,6 +79,17 @@ Result<MediumAt> uniaxial_at(const UniaxialMedium& matter, const DVec3& axis_wor
                      {},
                      {},
                      "the two rays do not exist without birefringence; give absorption_o = absorption_e"};
+    const double kappa = std::max(n_o.value().k + extinction_of(alpha_o.value(), nm, unit_nm),
+                                  n_e.value().k + extinction_of(alpha_e.value(), nm, unit_nm));
+    if (n_o.value().n == n_e.value().n) return MediumAt{make_isotropic(n_o.value().n, kappa), absorption};
+    if (kappa >= strongest_crystal_extinction)
+        return Error{ErrorKind::input,
+                     "an extinction k = " + number_text(kappa) + " at " + number_text(nm) +
+                         " nm is too much for a crystal: its faces are followed with real indices",
+                     {},
+                     {},
+                     "k (or absorption * lambda / 4 pi) below " + number_text(strongest_crystal_extinction) +
+                         "; a metal or opaque matter is written {conductor: [n, k]}"};
     return MediumAt{make_uniaxial(n_o.value().n, n_e.value().n, axis_world), absorption};
 }
 
@@ -118,7 +136,11 @@ Result<std::vector<MediumAt>> MediaTable::at(double wavelength_nm) const {
     std::vector<MediumAt> media;
     for (const Entry& entry : entries_) {
         auto medium = medium_at(entry.medium, entry.axis_world, wavelength_nm, scene_.unit_nm);
-        if (!medium) return at_place(medium.error(), scene_, entry.medium.place);
+        if (!medium) {
+            Error error = medium.error();
+            if (error.field.empty()) error.field = "media." + entry.medium.name;
+            return at_place(std::move(error), scene_, entry.medium.place);
+        }
         media.push_back(medium.value());
     }
     return media;

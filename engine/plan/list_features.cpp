@@ -77,6 +77,12 @@ void account_for_matter(const Plan& plan, Account& account) {
     account.add("metals",
                 solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::conductor; }),
                 "complex index of ", "no conductor");
+    account.add("absorbing surfaces",
+                solids_with(plan,
+                            [](const MediumAt& m) {
+                                return m.dielectric.kind == MediumKind::isotropic && m.dielectric.is_complex();
+                            }),
+                "complex index of ", "no isotropic medium absorbs");
     account.add("absorption along rays", solids_with(plan, [](const MediumAt& m) { return m.absorption.absorbs(); }),
                 "Beer-Lambert in ", "no medium absorbs");
     account.add("polarizers and retarders", surfaces_with<SheetRole>(plan), "", "no sheets");

@@ -19,7 +19,7 @@ struct Branches {
     Node node[4];
     Side side[4]{};
     int count = 0;
-    double absorbed = 0.0;  ///< weight that a conductor swallows
+    double absorbed = 0.0;  ///< weight that is lost at the boundary (BoundaryResponse::absorption)
     bool valid = true;      ///< false: the ray brings no energy to the boundary, a numerical failure
 
     void clear() {
@@ -29,7 +29,7 @@ struct Branches {
     }
 };
 
-/// Isotropic medium to isotropic medium or conductor. `normal` is unit and leans along the ray.
+/// Isotropic medium, absorbing or not, to isotropic medium or conductor. `normal` is unit and leans along the ray.
 inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>& from, const Dielectric<double>& to,
                                      const DVec3& normal, Branches& out) {
     out.clear();
@@ -39,7 +39,6 @@ inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>&
         out.valid = false;
         return;
     }
-    const double q1 = from.n * cos_1;
 
     // s across the plane of incidence. The cross product is off by 1e-16 in any direction, so s leans out of the wave
     // front by 1e-16/sin and a share (1e-16/sin)^2 of the energy is lost. Below sin = 1e-8 any s across the ray will do
@@ -68,14 +67,26 @@ inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>&
         child.weight = child.throughput.weight();
     };
 
-    if (to.kind == MediumKind::conductor) {
-        const auto f = conductor_fresnel(from.n, to.n, to.kappa, q1);
-        add(Side::reflected, d - normal * (2.0 * cos_1), from.n, f.r_s, f.r_p);
-        out.absorbed = 0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * f.absorbed_s +
-                              (norm2(m.m[0][1]) + norm2(m.m[1][1])) * f.absorbed_p);
+    if (from.is_complex() || to.is_complex()) {
+        if (from == to)
+            return add(Side::transmitted, d, std::sqrt(length2(node.wave.k)), Complex<double>(1.0),
+                       Complex<double>(1.0));
+        const double k1 = from.is_complex() ? std::sqrt(length2(node.wave.k)) : from.n;
+        const auto f = absorbing_fresnel<double>({from.n, from.kappa}, {to.n, to.kappa}, k1, k1 * cos_1);
+        add(Side::reflected, d - normal * (2.0 * cos_1), k1, f.r_s, f.r_p);
+        const bool goes_on = f.goes_on && to.kind == MediumKind::isotropic;
+        if (goes_on) {
+            const DVec3 k2 = (d - normal * cos_1) * k1 + normal * f.q2.re;
+            const double size = std::sqrt(length2(k2));
+            add(Side::transmitted, k2 / size, size, f.t_s, f.t_p);
+        }
+        const double lost_s = f.mixed_s + (goes_on ? 0.0 : f.into_s);
+        const double lost_p = f.mixed_p + (goes_on ? 0.0 : f.into_p);
+        out.absorbed =
+            0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * lost_s + (norm2(m.m[0][1]) + norm2(m.m[1][1])) * lost_p);
         return;
     }
-    const auto f = fresnel(from.n, to.n, q1);
+    const auto f = fresnel(from.n, to.n, from.n * cos_1);
     const bool reflects = f.r_s != Complex<double>(0.0) || f.r_p != Complex<double>(0.0);
     if (reflects) add(Side::reflected, d - normal * (2.0 * cos_1), from.n, f.r_s, f.r_p);
     if (!f.total) {

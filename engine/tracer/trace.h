@@ -190,9 +190,9 @@ private:
             absorb(node);
             return false;
         }
-        double alpha = medium.absorption.ordinary;
+        const Dielectric<double>& d = medium.dielectric;
+        double alpha = pair_absorption(medium.absorption, d.n, node.wave.k);
         if constexpr (anisotropic) {
-            const Dielectric<double>& d = medium.dielectric;
             if (node.wave.kind != WaveKind::pair)
                 alpha = mode_absorption(medium.absorption, d.n, d.n_e, d.axis, node.wave.field[0], node.wave.k,
                                         node.wave.ray);

@@ -151,7 +151,7 @@ bool is_total_reflection(const Plan& plan, const Explanation& explanation, int b
     if (far.region < 0) return false;
     const auto& group = plan.groups[static_cast<std::size_t>(explanation.task.group)];
     const auto medium = static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(far.region)].medium);
-    return group.media[medium].dielectric.kind != MediumKind::conductor;
+    return !group.media[medium].dielectric.is_complex();
 }
 
 bool is_not_followed(LeafReason reason) {

@@ -161,6 +161,7 @@ struct DichroicPlate {
 Experiment dichroic_plate(double n_o, double n_e, double absorbance) {
     return render_experiment({n_o, n_e, absorbance}, DichroicPlate{}, 14, [](std::span<const double> x) {
         Scene scene = scene_before_lamp(0.0);
+        scene.unit_nm = 1e9;  // the plate is a metre thick: absorption along the ray, and none that its faces notice
         UniaxialMedium crystal;
         crystal.ordinary = ConstantIndex{{x[0], 0.0}};
         crystal.extraordinary = ConstantIndex{{x[1], 0.0}};

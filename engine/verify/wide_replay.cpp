@@ -145,7 +145,7 @@ private:
         if (medium.absorption.absorbs()) {
             const Dielectric<Quad> crystal = widened(medium.dielectric);
             const Quad alpha = node.wave.kind == WaveKind::pair
-                                   ? Quad(medium.absorption.ordinary)
+                                   ? pair_absorption(medium.absorption, crystal.n, node.wave.k)
                                    : mode_absorption(medium.absorption, crystal.n, crystal.n_e, crystal.axis,
                                                      node.wave.field[0], node.wave.k, node.wave.ray);
             node.throughput.scale(exp(-alpha * hit.distance / Quad(2)));

@@ -48,7 +48,8 @@ void conductor_alone(benchmark::State& state) {
     std::array<double, waves> q;
     for (std::size_t i = 0; i < waves; ++i) q[i] = std::cos(1.4 * static_cast<double>(i) / waves);
     std::size_t i = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(conductor_fresnel(1.0, 0.3, 2.84, q[i++ % waves]));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(absorbing_fresnel<double>({1.0, 0.0}, {0.3, 2.84}, 1.0, q[i++ % waves]));
 }
 void isotropic_to_isotropic(benchmark::State& state) {
     respond_to(state, air, glass, 0);

@@ -296,6 +296,25 @@ class Interface(ProgramTest):
         table = self.succeed("interface", "--from", "air", "--to", "1.5", "--angle", math.degrees(math.atan(1.5)))
         self.assertRegex(table, r"reflected +p .* 0\.0000000000 ")
 
+    def test_absorbing_media_reflect_with_n_and_k_however_they_are_given(self):
+        # ((n - 1)^2 + k^2)/((n + 1)^2 + k^2): 0.0769231 for 1.5 + 0.5i, 0.0400038 for 1.5 + 0.005i, 0.04 for real 1.5.
+        for n, k in ((1.5, 0.5), (1.5, 0.005), (0.298776, 2.837424)):
+            reflectance = ((n - 1)**2 + k**2) / ((n + 1)**2 + k**2)
+            table = self.succeed("interface", "--from", "air", "--to", f"{n}+{k}i")
+            shares = re.findall(r"reflected +[sp] +\S+ +\S+ +\S+ +(\S+)", table)
+            for share in (shares[0], shares[3]):  # s to s, p to p
+                self.assertAlmostEqual(float(share), reflectance, delta=1e-10)  # ten printed decimals
+            self.assertEqual(len(re.findall(r"sum +1\.0000000000", table)), 2)
+            for kind in ("isotropic", "conductor"):
+                case = {"normal": [0, 0, 1], "wave_normal": [0, 0, 1], "medium1": {"type": "isotropic", "n": 1},
+                        "medium2": {"type": kind, "n": n, "k": k}}
+                self.write("case.jsonl", json.dumps(case))
+                found = self.powers(strict_json(self.succeed("interface", "--cases", "case.jsonl")))
+                self.assertAlmostEqual(found["R", "pair"], 2 * reflectance, delta=1e-14)
+        # From inside, what the interference of incident and reflected wave adds is booked as absorbed.
+        self.assertEqual(len(re.findall(r"sum +1\.0000000000",
+                                        self.succeed("interface", "--from", "1.5+0.005i", "--to", "air"))), 2)
+
 
     RECORD = "DATA:\n  - type: tabulated n\n    data: |\n        0.4 {0}\n        0.7 {0}\n"
 

@@ -42,7 +42,7 @@ FAULTS = [
      "scale[i] = sqrt(modes[i].flux / incidence.flux)",
      "scale[i] = FAULT(sqrt(modes[i].flux / incidence.flux), modes[i].flux / incidence.flux)"),
     ("sign of p lost on the way out of a crystal", "optics/boundary_systems.h",
-     "inside[1][c] * (-scale / medium2.n)", "inside[1][c] * (FAULT(-scale, scale) / medium2.n)"),
+     "to_p(-scale / medium2.n)", "to_p(FAULT(-scale, scale) / medium2.n)"),
     # Sheets
     ("polarizer with its axis mirrored", "optics/elements.h",
      "return {{{x * x, x * y}, {x * y, y * y}}};",
@@ -66,7 +66,8 @@ FAULTS = [
     ("second polarization lost on the way into a crystal", "tracer/throughput.h",
      "if (incident_modes == 2) out.m[row][mode]", "if (FAULT(incident_modes == 2, false)) out.m[row][mode]"),
     ("light that a metal swallows not counted", "tracer/step.h",
-     "out.absorbed = 0.5 * ((norm2", "out.absorbed = FAULT(0.5, 0.0) * ((norm2"),
+     "0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * lost_s",
+     "FAULT(0.5, 0.0) * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * lost_s"),
     ("frame not turned at an interface", "tracer/throughput.h",
      "out.m[row][0] = t.m[row][0] * xx + t.m[row][1] * yx;",
      "out.m[row][0] = FAULT(t.m[row][0] * xx + t.m[row][1] * yx, t.m[row][0]);"),

@@ -107,6 +107,23 @@ objects:
         EXPECT_NE(invariant.check(scene.value()).outcome, Outcome::fail) << invariant.name;
 }
 
+// Faces of complex index, entered, left and met from inside at every angle, total reflection included.
+TEST(Invariants, HoldForDyedGlassAndForGoldWrittenAsAPlainMedium) {
+    const auto scene = under_test(test::scene_of(R"(
+camera: {position: [0.3, -6, 2.2], target: [0, 0, 0.1], fov: 26}
+background: 0.3
+render: {size: [8, 8], mode: area, spp: 2}
+media: {dye: {index: [1.5, 3e-5]}, smoke: {index: 1.7, absorption: 0.4}, gold: gold}
+objects:
+  - {name: stone, shape: {prism: {apex_angle: 60, side: 1.5, height: 2}}, transform: [{translate: [-0.6, 0, 0]}], medium: dye}
+  - {name: ball, shape: {sphere: {radius: 0.6}}, transform: [{translate: [1, 0, 0]}], medium: smoke}
+  - {name: block, shape: {box: {size: [4, 4, 1]}}, transform: [{translate: [0, 0, -1.7]}], medium: gold}
+)"));
+    ASSERT_TRUE(scene) << to_string(scene.error());
+    for (const Invariant& invariant : invariants())
+        EXPECT_NE(invariant.check(scene.value()).outcome, Outcome::fail) << invariant.name;
+}
+
 TEST(Invariants, FindTheOnePixelOfAPictureThatIsWrong) {
     SceneUnderTest scene = glass_ball();
     Stokes<double>& s = scene.image.stokes[scene.image.pixel(5, 3)];
