@@ -51,6 +51,7 @@ StokesImage seen_behind(const StokesImage& picture, const Bench& bench, const Co
     StokesImage seen;
     seen.width = picture.width;
     seen.height = picture.height;
+    seen.stored = picture.stored;
     const std::size_t pixels = picture.pixel_count();
     const std::size_t first = wavelength.value_or(0);
     const std::size_t last = wavelength ? first + 1 : picture.wavelengths_nm.size();

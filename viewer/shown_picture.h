@@ -35,6 +35,7 @@ public:
                 mean.surplus += light.surplus;
                 mean.residual += light.residual;
                 mean.scale = light.scale;
+                mean.rounding = light.rounding;
             }
         }
         const double share = 1.0 / static_cast<double>(rect.pixel_count());

@@ -80,6 +80,13 @@ TEST(Glyphs, ShowTheMeanLightOfTheirCell) {
     EXPECT_NEAR(std::abs(glyphs[1].azimuth), 0.5 * pi, 1e-12);
 }
 
+// The mean of numbers of 11 bits is known no better than they are.
+TEST(Glyphs, TheMeanLightOfACellIsRoundedAsItsPixelsAre) {
+    StokesImage image = flat_picture({1.0, 0.5, 0.0, 0.0});
+    image.stored.bits = 16;
+    EXPECT_EQ(ShownPicture(image, {}).mean_light(0, {0, 0, 8, 8}).rounding, 0x1p-11);
+}
+
 TEST(Glyphs, AreHiddenWhereTheyMeanNothing) {
     EXPECT_TRUE(glyphs_in(flat_picture({0.0, 0.0, 0.0, 0.0}), 4).empty()) << "no light";
     EXPECT_TRUE(glyphs_in(flat_picture({1.0, 0.0, 0.0, 0.0}), 4).empty()) << "unpolarized";
