@@ -112,7 +112,9 @@ TEST(CrystalsInContact, HaveOneInterfaceAlsoWhereTheyAreMeshes) {
         Scene scene = scene_of(crossed_plates);
         for (const std::size_t object : meshes) {
             Mesh far_box = make_mesh(BoxShape{{1.0, 1.0, 1.0}}).value();
-            for (DVec3& vertex : far_box.vertices) vertex += DVec3(20.0, 20.0 * static_cast<double>(object), 0.0);
+            const DVec3 shift(20.0, 20.0 * static_cast<double>(object), 0.0);
+            for (DVec3& vertex : far_box.vertices) vertex += shift;
+            for (Plane& plane : far_box.facets) plane.offset += dot(plane.normal, shift);
             const Mesh both = joined(make_mesh(scene.objects[object].shape).value(), far_box);
             scene.objects[object].shape = MeshShape{"", std::make_shared<const Mesh>(both)};
         }
