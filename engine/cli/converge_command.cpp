@@ -204,7 +204,7 @@ void add_converge_command(CLI::App& app, int& exit_code) {
         "Without --size the longer side of the picture is cut to 96 pixels. Ctrl-C keeps the finished runs; the same\n"
         "command then goes on.\n"
         "What is cheapest depends on the scene: a depth limit never finds the light it cuts, and in glass energy is\n"
-        "the better cut at every error; in a crystal (cube-calcite) depth 5 to 9 may be the cheapest way to 0.1.\n"
+        "the better cut at every error; in a crystal (cube-calcite) depth 7 to 9 may be the cheapest way to 0.1.\n"
         "Exit code 5: a bound did not hold, or the --reference lies outside the bounds of our own deepest picture.\n"
         "\nExamples:\n"
         "  polariscope converge assets/scenes/paper-glass-unpolarized.yaml -o glass\n"

@@ -195,6 +195,10 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
                     reference_.wavelengths_nm.end(), same_nm))
         return refuse("the reference has another size or other wavelengths than the runs",
                       "give --size and --wavelengths of the reference");
+    if (reference_.left != 0 || reference_.top != 0)
+        return refuse(fmt::format("the reference is a part of a picture, from its pixel {},{} on", reference_.left,
+                                  reference_.top),
+                      "give a whole picture");
     std::uint64_t content = 0;
     for (const Stokes<double>& light : reference_.stokes)
         for (const double value : {light.s0, light.s1, light.s2, light.s3}) {
@@ -210,7 +214,9 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
     if (!shot) return shot.error();
     if (!shot.value()) return Done{};
     const StokesImage& own = shot.value()->image;
-    const double admitted = float_rounding + relative_bound(reference_, reference_) + admitted_sampling(reference_);
+    // A number and the bounds beside it are each rounded once.
+    const double rounding = 2.0 * reference_.stored.rounding();
+    const double admitted = rounding + relative_bound(reference_, reference_) + admitted_sampling(reference_);
     ReferenceCheck check;
     check.difference = error_metrics(own, reference_).fro_c.whole;
     StokesImage untraced = own;
@@ -220,7 +226,7 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
     constexpr double certain = 4.0;
     const double allowed_by_ours = relative_bound(untraced, reference_) + certain * admitted_sampling(own);
     check.allowed = allowed_by_ours + admitted;
-    if (!area) check.covered = bound_coverage(own, reference_, float_rounding).covered;
+    if (!area) check.covered = bound_coverage(own, reference_, rounding).covered;
     result_.reference_check = check;
     result_.reference_error = std::max(admitted, check.difference - allowed_by_ours);
     return Done{};

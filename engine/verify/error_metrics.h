@@ -98,9 +98,8 @@ struct BoundCoverage {
 /// `brightest` of the test is known.
 BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double rounding);
 
-/// Rounding of a tree of some 1e4 branches, and of a picture that was stored in 32-bit numbers, relative to brightest.
+/// Rounding of a tree of some 1e4 branches, relative to brightest.
 inline constexpr double double_rounding = 1e-11;
-inline constexpr double float_rounding = 0x1p-23;
 
 /// sqrt(mean |dRGB|^2 / mean |RGB|^2) of the color pictures (CIE 1931 observer, linear sRGB), whose sets of wavelengths
 /// may differ. Requires: same size.
