@@ -63,7 +63,7 @@ def two_doubles(value):
 def main():
     for case in json.load(sys.stdin)['cases']:
         points = case['points']
-        if 'ray' not in case['compared'] and 'powers' not in case['compared'] and 'fields' not in case['compared']:
+        if not any(word in case['compared'] for word in ('ray', 'powers', 'fields', 'unpolarized')):
             continue
         for i in range(POINTS):
             point = points[i * (len(points) - 1) // (POINTS - 1)]
