@@ -39,7 +39,7 @@ Error damage(const std::string& complaint) {
     return {ErrorKind::input, "is damaged or truncated: " + complaint, {}, {}, "copy or render it again"};
 }
 
-Error unknown_to_us(std::string what) {
+Error unknown_to_us(const std::string& what) {
     return {ErrorKind::input,
             what + ", which this program does not know",
             {},

@@ -168,7 +168,7 @@ Result<StokesImage> read_picture(Imf::MultiPartInputFile& file, std::uintmax_t f
     }
 
     const Imf::Header& header = parts.header(located.value().at(channels.front()));
-    const Imath::Box2i window = header.dataWindow();
+    const Imath::Box2i& window = header.dataWindow();
     const double width = double{1} + window.max.x - window.min.x;
     const double height = double{1} + window.max.y - window.min.y;
     const auto wavelengths = static_cast<double>(layout.stokes[0].size());
