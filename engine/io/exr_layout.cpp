@@ -19,13 +19,18 @@ Error input_error(std::string what, std::string hint) {
     return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
 }
 
-Layer layer_of(const std::vector<std::string>& names, const std::string& layer) {
+/// By wavelength. Error: two names, such as S0.580nm and S0.0,58um, mean one.
+Result<Layer> layer_of(const std::vector<std::string>& names, const std::string& layer) {
     Layer channels;
     for (const std::string& name : names) {
         if (!name.starts_with(layer + ".")) continue;
         const std::optional<double> wavelength =
             parse_wavelength_suffix(std::string_view(name).substr(layer.size() + 1));
-        if (wavelength) channels.emplace(*wavelength, name);
+        if (!wavelength) continue;
+        const auto [found, is_new] = channels.emplace(*wavelength, name);
+        if (!is_new)
+            return input_error(fmt::format("channels {} and {} are of one wavelength", found->second, name),
+                               "keep one of them");
     }
     return channels;
 }
@@ -34,11 +39,12 @@ Result<std::vector<std::string>> share_channels(const std::vector<std::string>& 
                                                 const Layer& stokes) {
     if (std::find(names.begin(), names.end(), layer) != names.end()) return std::vector<std::string>{layer};
     std::vector<std::string> channels;
-    const Layer found = layer_of(names, layer);
-    if (found.empty()) return channels;
+    const Result<Layer> found = layer_of(names, layer);
+    if (!found) return found.error();
+    if (found.value().empty()) return channels;
     for (const auto& [wavelength, name] : stokes) {
-        const auto channel = found.find(wavelength);
-        if (channel == found.end()) {
+        const auto channel = found.value().find(wavelength);
+        if (channel == found.value().end()) {
             return input_error(fmt::format("channel {}.{} is missing", layer, wavelength_suffix(wavelength)),
                                "render it again");
         }
@@ -107,7 +113,11 @@ std::optional<Error> stokes_problem(const std::array<Layer, 4>& stokes, const st
 Result<Layout> layout_of(const Parts& parts) {
     const std::vector<std::string> names = parts.names();
     Layout layout;
-    for (std::size_t s = 0; s < layout.stokes.size(); ++s) layout.stokes[s] = layer_of(names, stokes_layers[s].name);
+    for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
+        Result<Layer> layer = layer_of(names, stokes_layers[s].name);
+        if (!layer) return layer.error();
+        layout.stokes[s] = std::move(layer).value();
+    }
     if (const auto problem = stokes_problem(layout.stokes, names)) return *problem;
 
     Result<std::vector<std::string>> residual = share_channels(names, "residual", layout.stokes[0]);

@@ -92,7 +92,7 @@ Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int inde
     const std::size_t element_size = parts * component->size;
     const auto number = [&](const View& view, std::size_t element, std::size_t part) {
         const double c = component->read(view.bytes, view.start + element * view.stride + part * component->size);
-        return accessor.normalized ? std::max(c / component->scale, -1.0) : c;
+        return accessor.normalized && component->scale != 1.0 ? std::max(c / component->scale, -1.0) : c;
     };
     std::vector<double> numbers;
     if (accessor.bufferView >= 0 || !accessor.sparse.isSparse) {

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -46,6 +47,7 @@ public:
     DispersiveIndex read() {
         const YAML::Node root = YAML::Load(std::string(text_));
         if (!root.IsMap()) fail(root.Mark(), "", "this is not an index record", "a record is a map with a DATA list");
+        check_keys(root, "");
         const YAML::Node data = root["DATA"];
         if (!data) fail(root.Mark(), "DATA", "missing", "a record needs a DATA list with a formula or a table");
         if (!data.IsSequence() || data.size() == 0) {
@@ -72,8 +74,18 @@ private:
         fail_at(word.line, word.column, std::move(field), std::move(what), std::move(hint));
     }
 
+    /// Each key once: yaml-cpp takes the first of two without a word.
+    void check_keys(const YAML::Node& map, const std::string& prefix) const {
+        std::set<std::string> taken;
+        for (const auto& pair : map) {
+            if (pair.first.IsScalar() && !taken.insert(pair.first.Scalar()).second)
+                fail(pair.first.Mark(), prefix + pair.first.Scalar(), "this key occurs twice", "keep one of them");
+        }
+    }
+
     void read_entry(const YAML::Node& entry, const std::string& field) {
         if (!entry.IsMap()) fail(entry.Mark(), field, "not a map", "an entry has a type and its values");
+        check_keys(entry, field + ".");
         const YAML::Node type = scalar(entry, field, "type");
         const std::string& kind = type.Scalar();
         constexpr std::string_view formula = "formula ";
@@ -172,6 +184,9 @@ private:
         std::size_t at = static_cast<std::size_t>(std::max(node.Mark().pos, 0));
         std::size_t line_start = at - static_cast<std::size_t>(std::max(node.Mark().column, 0));
         int line = node.Mark().line + 1;
+        // What stands behind the | of a block is a comment.
+        if (at < text_.size() && (text_[at] == '|' || text_[at] == '>'))
+            at = std::min(text_.find('\n', at), text_.size());
         constexpr std::string_view blank = " \t\r\n";
         for (std::size_t begin = value.find_first_not_of(blank); begin != std::string::npos;) {
             const std::size_t end = std::min(value.find_first_of(blank, begin), value.size());

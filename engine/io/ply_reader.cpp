@@ -172,6 +172,12 @@ public:
         return std::nullopt;
     }
 
+    bool at_end() {
+        if (format_ != Format::ascii) return at_ == bytes_.size();
+        TextCursor rest = text_;
+        return rest.take_word().empty();
+    }
+
     int line() const { return format_ == Format::ascii ? text_.line() : 0; }
 
     Error error(const std::string& what, std::string hint) const {
@@ -263,6 +269,7 @@ Result<PolygonSoup> read_ply(std::string_view bytes) {
             if (const auto problem = read_row(body, element, row, soup)) return *problem;
         }
     }
+    if (!body.at_end()) return body.error("data after the last element", "do the counts in the header fit?");
     return soup;
 }
 

@@ -384,7 +384,25 @@ Error yaml_text_problem(const YAML::Exception& problem, std::string_view text, c
     return error;
 }
 
-YamlValue yaml_document(const std::string& text, const YamlFile& file) {
+namespace {
+
+/// Tabs in lines without content, or before a comment, are legal; yaml-cpp takes them for indentation. As spaces they
+/// leave every place where it is.
+std::string without_idle_tabs(std::string text) {
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t content = std::min(text.find_first_not_of(" \t", start), text.size());
+        if (content == text.size() || text[content] == '\r' || text[content] == '\n' || text[content] == '#')
+            std::fill(text.begin() + static_cast<std::ptrdiff_t>(start),
+                      text.begin() + static_cast<std::ptrdiff_t>(content), ' ');
+        start = std::min(text.find('\n', content), text.size() - 1) + 1;
+    }
+    return text;
+}
+
+}  // namespace
+
+YamlValue yaml_document(const std::string& given, const YamlFile& file) {
+    const std::string text = without_idle_tabs(given);
     YAML::Node document;
     std::optional<YAML::Mark> second;
     try {

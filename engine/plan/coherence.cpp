@@ -10,6 +10,9 @@
 #include <optional>
 
 #include "core/number_text.h"
+#include "core/units.h"
+#include "geometry/overlap.h"
+#include "plan/reach.h"
 
 namespace pol {
 
@@ -89,10 +92,11 @@ public:
         const double nm = thickness * unit_nm_;
         for (std::size_t w = 0; w < lengths_.size(); ++w) {
             const MediumAt& medium = media_at(w)[static_cast<std::size_t>(here.medium)];
-            const bool swallows =
-                std::min(medium.absorption.ordinary, medium.absorption.extraordinary) * thickness > opaque;
-            if (medium.dielectric.kind == MediumKind::conductor || swallows) continue;
-            if (nm * smallest_path(medium) >= lengths_[w]) continue;
+            const bool metal = medium.dielectric.kind == MediumKind::conductor;
+            const double exponent =
+                metal ? 4.0 * pi * medium.dielectric.kappa * nm / plan_.wavelengths_nm[w]
+                      : std::min(medium.absorption.ordinary, medium.absorption.extraordinary) * thickness;
+            if (exponent > opaque || (!metal && nm * smallest_path(medium) >= lengths_[w])) continue;
             const std::string name = here.owner >= 0 ? "'" + plan_.solid(here.owner).name + "'" : gap_name(a, b);
             const auto [found, is_new] = films_.try_emplace(name, Film{nm, w, here.medium});
             if (!is_new && nm < found->second.nm) found->second = {nm, w, here.medium};
@@ -134,6 +138,9 @@ private:
 
     [[nodiscard]] std::string sentence(const std::string& name, const Film& film) const {
         const MediumAt& medium = media_at(film.wavelength)[static_cast<std::size_t>(film.medium)];
+        if (medium.dielectric.kind == MediumKind::conductor)
+            return name + " is " + length_text(film.nm) +
+                   " of metal: light would go through it, but metals are opaque here";
         const bool crystal = medium.dielectric.kind == MediumKind::uniaxial;
         const std::string nm = number_text(plan_.wavelengths_nm[film.wavelength]);
         const std::string band = plan_.wavelengths_nm.size() == 1 ? ", taken as 10 nm wide," : "";
@@ -164,8 +171,15 @@ std::optional<std::pair<double, DVec3>> apart(const Face& a, const Face& b, doub
     return std::pair(std::abs(to_a - to_b), middle - a.plane.normal * (0.5 * (to_a + to_b)));
 }
 
-void look_between_faces(const Plan& plan, Films& films, double reach, double touching) {
+/// Faces and spheres nearer than that touch (geometry/overlap.h).
+double slack_of(const Plan& plan, int solid) {
+    return slack(solid_ref(plan.solid(solid)));
+}
+
+void look_between_faces(const Plan& plan, Films& films, double reach) {
     std::vector<Face> faces;
+    std::vector<double> slacks;
+    for (int i = 0; i < plan.solid_count(); ++i) slacks.push_back(slack_of(plan, i));
     for (int i = 0; i < plan.solid_count(); ++i) {
         if (const auto* flat = std::get_if<HalfSpaceSolid>(&plan.solid(i).shape)) append_faces(faces, flat->mesh(), i);
         if (const auto* mesh = std::get_if<MeshBody>(&plan.solid(i).shape)) append_faces(faces, mesh->mesh, i);
@@ -182,7 +196,12 @@ void look_between_faces(const Plan& plan, Films& films, double reach, double tou
             for (auto other = from(x - parallel); other != faces.end() && other->plane.normal.x <= x + parallel;
                  ++other) {
                 if (!(&face < &*other)) continue;
+                // Both sides of a film in one solid face away from each other; else they are parts of a face that
+                // rounding bent.
+                if (face.solid == other->solid && dot(face.plane.normal, other->plane.normal) > 0.0) continue;
                 const auto found = apart(face, *other, reach);
+                const double touching =
+                    slacks[static_cast<std::size_t>(face.solid)] + slacks[static_cast<std::size_t>(other->solid)];
                 if (found && found->first > touching && found->first < reach)
                     films.add(found->second, found->first, face.solid, other->solid);
             }
@@ -190,20 +209,18 @@ void look_between_faces(const Plan& plan, Films& films, double reach, double tou
 }
 
 /// Shells between spheres, and spheres that are films themselves.
-void look_between_spheres(const Plan& plan, Films& films, double reach, double touching) {
+void look_between_spheres(const Plan& plan, Films& films, double reach) {
     for (int i = 0; i < plan.solid_count(); ++i) {
         const auto* outer = std::get_if<Sphere>(&plan.solid(i).shape);
         if (outer == nullptr) continue;
-        const bool isotropic = plan.groups[0].media[static_cast<std::size_t>(plan.solid(i).medium)].dielectric.kind !=
-                               MediumKind::uniaxial;  // rays o and e leave a sphere in different directions
-        if (isotropic && 2.0 * outer->radius < reach) films.add(outer->center, 2.0 * outer->radius, i, i);
+        if (2.0 * outer->radius < reach) films.add(outer->center, 2.0 * outer->radius, i, i);
         for (int j = 0; j < plan.solid_count(); ++j) {
             const auto* inner = std::get_if<Sphere>(&plan.solid(j).shape);
             if (inner == nullptr || j == i) continue;
             const DVec3 shift = inner->center - outer->center;
             const double distance = std::sqrt(length2(shift));
             const double gap = outer->radius - inner->radius - distance;
-            if (!(gap > touching && gap < reach)) continue;
+            if (!(gap > slack_of(plan, i) + slack_of(plan, j) && gap < reach)) continue;
             const DVec3 nearest = distance > 0.0 ? shift / distance : DVec3(1.0, 0.0, 0.0);
             films.add(outer->center + nearest * (outer->radius - 0.5 * gap), gap, i, j);
         }
@@ -215,9 +232,8 @@ void look_between_spheres(const Plan& plan, Films& films, double reach, double t
 std::vector<std::string> coherence_doubts(const Plan& plan, double unit_nm) {
     Films films(plan, unit_nm);
     const double reach = films.reach();
-    const double touching = 1e-9 * plan.length_scale;
-    look_between_faces(plan, films, reach, touching);
-    look_between_spheres(plan, films, reach, touching);
+    look_between_faces(plan, films, reach);
+    look_between_spheres(plan, films, reach);
     return films.sentences();
 }
 

@@ -11,6 +11,7 @@
 #include "core/overloaded.h"
 #include "core/random.h"
 #include "geometry/mesh_check.h"
+#include "geometry/overlap.h"
 #include "geometry/shapes.h"
 #include "plan/arrangement.h"
 #include "plan/compile_light.h"
@@ -264,9 +265,39 @@ int unfit_start(const Plan& plan) {
     return -1;
 }
 
-/// Fills in Plan::camera, camera_region and camera_regions. Error: a medium that no camera can stand in.
+/// The lamp or absorber whose closed body a ray of the picture starts in, looked for as above; null if there is none.
+const Surface* body_around_camera(const Scene& scene, const Plan& plan) {
+    const auto around = [&plan](const DVec3& start) -> const Surface* {
+        for (const Surface& surface : plan.surfaces) {
+            const bool inside =
+                std::visit(Overloaded{[](const OpenSurface&) { return false; },
+                                      [&](const HalfSpaceSolid& s) { return s.contains(start, s.slack()); },
+                                      [&](const Sphere& s) { return s.contains(start, slack(SolidRef{&s})); },
+                                      [&](const MeshBody& s) { return s.closed && encloses(s.mesh, start); }},
+                           surface.shape);
+            if (inside) return &surface;
+        }
+        return nullptr;
+    };
+    if (scene.camera.projection != Projection::orthographic) return around(scene.camera.position);
+    const int step =
+        1 + static_cast<int>(std::sqrt(static_cast<double>(plan.settings.width) * plan.settings.height / 65536.0));
+    for (int y = 0; y < plan.settings.height; y += step)
+        for (int x = 0; x < plan.settings.width; x += step)
+            if (const Surface* found = around(plan.camera.ray(x + 0.5, y + 0.5).origin)) return found;
+    return nullptr;
+}
+
+/// Fills in Plan::camera, camera_region and camera_regions. Error: a body or a medium that no camera can stand in.
 Result<Done> place_camera(const Scene& scene, Plan& plan) {
     plan.camera = CameraModel(scene.camera, plan.settings.width, plan.settings.height);
+    if (const Surface* body = body_around_camera(scene, plan))
+        return at_place({ErrorKind::input,
+                         "the camera is inside '" + body->name + "', a lamp or absorber that is seen from outside only",
+                         {},
+                         "camera.position",
+                         "move the camera out; `background:` is light from everywhere"},
+                        scene, scene.camera.place);
     int unfit = -1;
     if (scene.camera.projection == Projection::orthographic) {
         const Reach reach(plan.solids);

@@ -184,7 +184,7 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
     auto read = read_exr(*request_.reference);
     if (!read) return read.error();
     reference_ = std::move(read).value();
-    const auto refuse = [this](std::string what, std::string hint) {
+    const auto refuse = [this](std::string what, const char* hint) {
         return Error{ErrorKind::usage, std::move(what), {request_.reference->string(), 0, 0}, "--reference", hint};
     };
     const RenderSettings& s = request_.scene.render;

@@ -179,7 +179,7 @@ StiffCase pair_case(const Knob& a, const Knob& b, const std::vector<Way>& ways) 
         pair.sentence += " but the digits that the ratio of eps_o and eps_e has, from a ratio of indices of 8 on";
         pair.loss = lost_to_strength;
     }
-    pair.turns = static_cast<int>(second_settings.size() * ways.size());
+    pair.turns = second_settings.size() * ways.size();
     pair.at = [a, b, ways, unpolarized](double x, const Turn& turn) {
         Bench bench(ways[turn.number() / second_settings.size()]);
         a.set(bench, x);

@@ -60,6 +60,14 @@ void write_foreign(const fs::path& path, const std::vector<std::string>& channel
     file.writePixels(2);
 }
 
+TEST_F(ForeignExr, TwoChannelsOfOneWavelengthAreNamed) {
+    write_foreign(path(), {"S0.580nm", "S0.0,58um", "S1.580nm", "S2.580nm", "S3.580nm"}, nullptr, Imf::FLOAT);
+    const Result<StokesImage> read = read_exr(path());
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().what.find("S0.0,58um and S0.580nm are of one wavelength"), std::string::npos)
+        << read.error().what;
+}
+
 TEST_F(ForeignExr, IsReadFromOtherProgramsWithHalvesAnOffsetWindowAndLeftHandedStates) {
     const std::vector<std::string> channels{"R",         "S0.5,8e2nm", "S1.5,8e2nm", "S2.5,8e2nm", "S3.5,8e2nm",
                                             "S0.0,45um", "S1.0,45um",  "S2.0,45um",  "S3.0,45um",  "T.580,0nm"};

@@ -97,6 +97,10 @@ TEST_F(GltfFile, QuantizedPositionsAreTheNumbersThatTheyStandFor) {
     expect_cube(load("a.glb", CubeFile<std::uint8_t>{255, 5121, 1, normalized, "", used}.bytes()), 0.0, 1.0);
     expect_cube(load("a.glb", CubeFile<std::uint8_t>{200, 5121, 1, "", "", used}.bytes()), 0.0, 200.0);
     expect_cube(load("a.glb", CubeFile<std::int16_t>{300, 5122, 1, "", "", used}.bytes()), 0.0, 300.0);
+    // Floats stand for themselves, whatever the flag says.
+    const auto floats = load("a.glb", CubeFile<float>{-2.0F, 5126, 1, normalized}.bytes());
+    ASSERT_TRUE(floats);
+    for (const DVec3& p : floats.value().vertices) EXPECT_TRUE(p.x == 0.0 || p.x == -2.0) << p.x;
     const auto least = load("a.glb", CubeFile<std::int16_t>{-32768, 5122, 1, normalized, "", used}.bytes());
     ASSERT_TRUE(least);
     for (const DVec3& p : least.value().vertices) EXPECT_TRUE(p.x == 0.0 || p.x == -1.0) << p.x;

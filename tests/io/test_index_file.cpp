@@ -327,6 +327,8 @@ TEST(IndexFile, MalformedRecordsAreErrorsWithAnAddress) {
         {"a: b: c\n", 1, 5, "", "not valid YAML"},
         {"DATA:\n\t- type: formula 1\n", 2, 1, "", "indented with a tab"},
         {"COMMENTS: hi\n", 1, 1, "DATA", "missing"},
+        {"A: 1\nDATA: []\nDATA: []\n", 3, 1, "DATA", "occurs twice"},
+        {"DATA:\n  - type: tabulated n\n    data: 0.4 1.5\n    data: 0.4 2.5\n", 4, 5, "DATA[0].data", "occurs twice"},
         {"A: 1\nDATA: 3\n", 2, 7, "DATA", "not a list"},
         {"DATA: []\n", 1, 7, "DATA", "not a list"},
         {"DATA:\n  - 5\n", 2, 5, "DATA[0]", "not a map"},
@@ -382,6 +384,13 @@ TEST(IndexFile, MalformedRecordsAreErrorsWithAnAddress) {
         EXPECT_FALSE(error.hint.empty());
         EXPECT_FALSE(error.place.file.empty());
     }
+}
+
+TEST(IndexFile, ACommentBehindTheBarOfABlockIsNoRow) {
+    const auto index =
+        load_text("DATA:\n  - type: tabulated n\n    data: | # 0.5 to 0.7 um\n        0.5 1.5\n        0.7 1.7\n");
+    ASSERT_TRUE(index) << to_string(index.error());
+    EXPECT_NEAR(index_at(index.value(), 600.0).value().n, 1.6, 1e-14);
 }
 
 // Damage at random: whatever comes out is a result, never a crash, and a record that still loads has sound numbers.

@@ -135,6 +135,16 @@ TEST_F(MeshText, AHeaderWithCarriageReturnsLeavesALineFeedToTheData) {
     }
 }
 
+// A header that counts too few leaves rows behind.
+TEST_F(MeshText, DataAfterTheLastElementOfAPlyFileAreNamed) {
+    for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+        std::string fewer = box_ply(format);
+        const std::size_t count = fewer.find("element face ") + 13;
+        fewer[count] = static_cast<char>(fewer[count] - 1);
+        EXPECT_NE(complaint("a.ply", fewer).find("data after the last element"), std::string::npos) << format;
+    }
+}
+
 TEST_F(MeshText, PlyStripsAreRefusedByName) {
     std::string ply = box_ply("ascii");
     ply.replace(ply.find("end_header"), 0, "element tristrips 1\nproperty list int int vertex_indices\n");

@@ -154,6 +154,12 @@ TEST(SceneFile, AnglesAreDegreesOutsideAndRadiansInside) {
     EXPECT_EQ(std::get<Retarder>(sheet).retardance, radians(89.0));
 }
 
+TEST(SceneFile, TabsInLinesWithoutContentSayNothing) {
+    const Scene scene = parsed(camera + "objects:\n  - {name: a, shape: {sphere: {radius: 1}}, absorber: on}\n\t\n" +
+                               "  \t# a comment\n  - {name: b, shape: {disk: {radius: 1}}, absorber: on}\n\t\n");
+    EXPECT_EQ(scene.objects.size(), 2U);
+}
+
 TEST(SceneFile, AMergeKeyAddsTheKeysThatTheMapLacks) {
     const Scene scene = parsed(camera +
                                "media: {glass: 1.5}\nobjects:\n"

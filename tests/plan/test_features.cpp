@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "core/units.h"
+#include "geometry/mesh_check.h"
 #include "geometry/shapes.h"
 #include "support/shipped_scenes.h"
 
@@ -201,13 +206,70 @@ TEST(Coherence, LooksIntoGapsShellsAndMeshesToo) {
 }
 
 TEST(Coherence, LeavesOutWhatLetsNoLightThroughAndWhatTouches) {
-    EXPECT_TRUE(doubts("gold: {conductor: gold}", slab("0.0001", "gold")).empty());
+    EXPECT_TRUE(doubts("gold: {conductor: gold}", slab("0.001", "gold")).empty());
     EXPECT_TRUE(doubts("gold: gold", slab("0.001", "gold")).empty());
     EXPECT_EQ(doubts("gold: gold", slab("0.00002", "gold")).size(), 1U);
     EXPECT_TRUE(doubts("glass: 1.5, flint: 1.7",
                        "  - {name: one, shape: {box: {size: 1}}, medium: glass}\n"
                        "  - {name: two, shape: {box: {size: 1}}, medium: flint, transform: [{translate: [1, 0, 0]}]}\n")
                     .empty());
+}
+
+// exp(-4 pi 2.84 100/580) = 0.2 % of the light comes through 100 nm of gold.
+TEST(Coherence, MetalThatLightGoesThroughIsNamed) {
+    const auto found = doubts("gold: {conductor: gold}", slab("0.0001", "gold"));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NE(found[0].find("'slab at 0' is 100 nm of metal"), std::string::npos) << found[0];
+}
+
+// A ball of quartz of 1 mm: 2 mm times 0.0091 is less than 33.6 um. Of calcite it is 0.34 mm.
+TEST(Coherence, LooksIntoBallsOfCrystal) {
+    const std::string ball = "  - {name: ball, shape: {sphere: {radius: 1}}, medium: ";
+    EXPECT_EQ(doubts(quartz, ball + "quartz}\n").size(), 1U);
+    EXPECT_TRUE(doubts("calcite: {crystal: calcite}", ball + "calcite}\n").empty());
+}
+
+// A gap is one however large the lamp behind it is.
+TEST(Coherence, DoesNotDependOnTheSizeOfOtherThings) {
+    const std::string far =
+        "  - {name: lamp, shape: {rectangle: {size: 1e6}}, transform: [{translate: [0, 0, -1e6]}], "
+        "emission: {radiance: 1}}\n";
+    EXPECT_EQ(doubts("glass: 1.5", slab("0.0005", "glass") + far).size(), 1U);
+    const std::string halves =
+        "  - {name: left, shape: {box: {size: 2}}, medium: glass}\n"
+        "  - {name: right, shape: {box: {size: 2}}, medium: glass, transform: [{translate: "
+        "[2.000000001, 0, 0]}]}\n";
+    EXPECT_EQ(doubts("glass: 1.5", halves).size(), 1U);
+}
+
+// A heptagonal prism in six digits, its faces cut into triangles that rounding bends by some 1e-6: one solid, no gap.
+TEST(Coherence, TrianglesOfAFaceThatRoundingBentAreNoFilm) {
+    const DVec3 axis = unit(DVec3(1.0, 2.0, 3.0));
+    const auto turned = [&axis](const DVec3& p) {  // by 1 rad, Rodrigues
+        return std::cos(1.0) * p + std::sin(1.0) * cross(axis, p) + (1.0 - std::cos(1.0)) * dot(axis, p) * axis;
+    };
+    const auto rounded = [](double x) { return std::round(x * 1e6) / 1e6; };
+    std::vector<DVec3> vertices;
+    for (const double z : {-0.5, 0.5})
+        for (int i = 0; i < 7; ++i) {
+            const double angle = 2.0 * pi * i / 7.0;
+            const DVec3 p = turned({std::cos(angle), std::sin(angle), z});
+            vertices.emplace_back(rounded(p.x), rounded(p.y), rounded(p.z));
+        }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::uint32_t i = 1; i + 1 < 7; ++i) {
+        triangles.push_back({7, 7 + i, 8 + i});
+        triangles.push_back({0, i + 1, i});
+    }
+    for (std::uint32_t i = 0; i < 7; ++i) {
+        const std::uint32_t next = (i + 1) % 7;
+        triangles.push_back({i, next, 7 + next});
+        triangles.push_back({i, 7 + next, 7 + i});
+    }
+    Scene scene = test::shipped_scene("cube-glass");
+    scene.objects[0].shape =
+        MeshShape{"", std::make_shared<const Mesh>(mesh_from_triangles(vertices, triangles).value())};
+    EXPECT_TRUE(test::plan_of(scene)->features.doubts.empty());
 }
 
 // Of the shipped scenes one has such a film: 0.02 mm along x is 15.7 um across the air gap of the Glan prism.
@@ -226,6 +288,17 @@ TEST(Features, CrystalsWhoseFacesShouldShowTheirAbsorptionAreDoubted) {
     EXPECT_NE(found[0].find("'dye'"), std::string::npos);
     EXPECT_NE(found[0].find("3.84"), std::string::npos) << found[0];
     EXPECT_TRUE(doubts("dye: {ordinary: [1.5, 0.002], extraordinary: 1.6}", slab("4", "dye")).empty());
+}
+
+// 20 k with k = 0.005; a plate has sides that are not parallel to its faces, a ball has none.
+TEST(Features, GlassThatAbsorbsBetweenFacesThatAreNotParallelIsDoubted) {
+    const auto found = doubts("dye: {index: [1.5, 0.005]}", slab("4", "dye"));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NE(found[0].find("'dye' absorbs, up to k = 0.005"), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find("off by up to about 0.1"), std::string::npos) << found[0];
+    EXPECT_TRUE(
+        doubts("dye: {index: [1.5, 0.005]}", "  - {name: ball, shape: {sphere: {radius: 1}}, medium: dye}\n").empty());
+    EXPECT_TRUE(doubts("dye: {index: [1.5, 1e-8]}", slab("4", "dye")).empty());
 }
 
 }  // namespace

@@ -52,6 +52,20 @@ TEST(Refusals, ASheetInTheFaceOfASolidNamesBoth) {
                  "objects[1].transform", {"window", "foil"});
 }
 
+// From inside, the nearest crossing of a body that is seen from outside only would lie behind the camera.
+TEST(Refusals, ACameraInALampOrAnAbsorberNamesIt) {
+    for (const std::string body :
+         {"shape: {sphere: {radius: 50}}, emission: {radiance: 1, two_sided: on}",
+          "shape: {box: {size: 50}}, emission: {radiance: 1}", "shape: {box: {size: 50}}, absorber: on"}) {
+        const std::string scene = "  - {name: dome, " + body + "}\n";
+        expect_names(refusal(scene, "{position: [0, 0, 3], target: [0, 0, 0], up: [0, 1, 0], fov: 30}"),
+                     "camera.position", {"dome"});
+        expect_names(
+            refusal(scene, "{type: orthographic, position: [0, 0, 3], target: [0, 0, 0], up: [0, 1, 0], width: 1}"),
+            "camera.position", {"dome"});
+    }
+}
+
 TEST(Refusals, ACameraInACrystalNamesIt) {
     const std::string stone = "  - {name: stone, shape: {box: {size: 1}}, medium: calcite}\n";
     expect_names(refusal(stone, "{position: [0, 0, 0.1], target: [0, 0, 1], up: [0, 1, 0], fov: 30}"),
