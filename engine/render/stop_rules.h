@@ -56,9 +56,9 @@ inline constexpr std::uint32_t most_dark_samples = 4096;
 /// is alpha = 5 % (K. Lan, D. DeMets, "Discrete sequential boundaries for clinical trials", Biometrika 70, 1983),
 /// however they depend on each other. Error and estimate are two independent sums over pixels of the same mean and
 /// variance: their difference has the standard deviation sqrt(2) sampling_spread sampling^2, and its normal deviate z
-/// is taken from P(Z > z) <= exp(-z^2 / 2) / 2. Sums of few squares are more skewed than normal numbers: hence 2 in place
-/// of sqrt(2). Where three pixels make the error (a small lamp behind a cube) the limit still holds in 90 % only; the
-/// pictures end below their error all the same (60 seeds, tests/bench/error_stop_seeds.cpp).
+/// is taken from P(Z > z) <= exp(-z^2 / 2) / 2. Sums of few squares are more skewed than normal numbers: hence 2 in
+/// place of sqrt(2). Where three pixels make the error (a small lamp behind a cube) the limit still holds in 90 % only;
+/// the pictures end below their error all the same (60 seeds, tests/bench/error_stop_seeds.cpp).
 std::optional<double> sampling_limit(const ErrorReport& report);
 
 /// Whether that part is at most half of `target`.
