@@ -160,11 +160,11 @@ private:
 
 /// The distance of two parallel faces where their bounding boxes, grown by `reach`, meet, and a point half way.
 std::optional<std::pair<double, DVec3>> apart(const Face& a, const Face& b, double reach) {
-    const double sense = dot(a.plane.normal, b.plane.normal);
-    if (std::abs(sense) < std::cos(parallel)) return std::nullopt;
     const DVec3 low = glm::max(a.low, b.low) - DVec3(0.5 * reach);
     const DVec3 high = glm::min(a.high, b.high) + DVec3(0.5 * reach);
     if (low.x > high.x || low.y > high.y || low.z > high.z) return std::nullopt;
+    const double sense = dot(a.plane.normal, b.plane.normal);
+    if (std::abs(sense) < std::cos(parallel)) return std::nullopt;
     const DVec3 middle = 0.5 * (low + high);
     const double to_a = dot(a.plane.normal, middle) - a.plane.offset;
     const double to_b = (dot(b.plane.normal, middle) - b.plane.offset) * (sense < 0.0 ? -1.0 : 1.0);
@@ -184,27 +184,17 @@ void look_between_faces(const Plan& plan, Films& films, double reach) {
         if (const auto* flat = std::get_if<HalfSpaceSolid>(&plan.solid(i).shape)) append_faces(faces, flat->mesh(), i);
         if (const auto* mesh = std::get_if<MeshBody>(&plan.solid(i).shape)) append_faces(faces, mesh->mesh, i);
     }
-    std::sort(faces.begin(), faces.end(),
-              [](const Face& a, const Face& b) { return a.plane.normal.x < b.plane.normal.x; });
-    const auto from = [&](double x) {
-        return std::lower_bound(faces.begin(), faces.end(), x,
-                                [](const Face& face, double value) { return face.plane.normal.x < value; });
-    };
-    for (const Face& face : faces)
-        for (const double sense : {1.0, -1.0}) {
-            const double x = sense * face.plane.normal.x;
-            for (auto other = from(x - parallel); other != faces.end() && other->plane.normal.x <= x + parallel;
-                 ++other) {
-                if (!(&face < &*other)) continue;
-                // Both sides of a film in one solid face away from each other; else they are parts of a face that
-                // rounding bent.
-                if (face.solid == other->solid && dot(face.plane.normal, other->plane.normal) > 0.0) continue;
-                const auto found = apart(face, *other, reach);
-                const double touching =
-                    slacks[static_cast<std::size_t>(face.solid)] + slacks[static_cast<std::size_t>(other->solid)];
-                if (found && found->first > touching && found->first < reach)
-                    films.add(found->second, found->first, face.solid, other->solid);
-            }
+    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.low.x < b.low.x; });
+    for (auto face = faces.begin(); face != faces.end(); ++face)
+        for (auto other = face + 1; other != faces.end() && other->low.x <= face->high.x + reach; ++other) {
+            const auto found = apart(*face, *other, reach);
+            if (!found || found->first >= reach) continue;
+            // Both sides of a film in one solid face away from each other; else they are parts of a face that rounding
+            // bent.
+            if (face->solid == other->solid && dot(face->plane.normal, other->plane.normal) > 0.0) continue;
+            const double touching =
+                slacks[static_cast<std::size_t>(face->solid)] + slacks[static_cast<std::size_t>(other->solid)];
+            if (found->first > touching) films.add(found->second, found->first, face->solid, other->solid);
         }
 }
 
