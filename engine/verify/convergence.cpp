@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Long because a sweep is one job: settings, reference, its check and all runs share what was measured so far.
 #include "verify/convergence.h"
 
 #include <fmt/format.h>
