@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <glm/matrix.hpp>
 #include <span>
@@ -114,7 +115,9 @@ Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int inde
 
     const auto& sparse = accessor.sparse;
     const Component* place = component_of(index_types, sparse.indices.componentType);
-    if (place == nullptr || sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
+    const auto negative = [](auto n) { return static_cast<std::int64_t>(n) < 0; };  // int in old versions, then size_t
+    if (place == nullptr || negative(sparse.count) || negative(sparse.indices.byteOffset) ||
+        negative(sparse.values.byteOffset))
         return bad(name + " has a broken sparse part");
     const auto count = static_cast<std::size_t>(sparse.count);
     const Result<View> places = view_of(model, sparse.indices.bufferView,
