@@ -185,9 +185,9 @@ objects:
 // Wavelengths with trees of their own have random numbers of their own: their noise averages out in a color.
 TEST(Tail, OfWavelengthsWithOtherConstantsIsAnotherOne) {
     Scene scene = prism(5);
-    const Plan& plan = *test::plan_of(scene);
+    const auto plan = test::plan_of(scene);
     std::get<UniaxialMedium>(scene.media[0].matter).ordinary = ConstantIndex{{1.41, 0.0}};
-    EXPECT_NE(test::plan_of(scene)->groups[0].key, plan.groups[0].key);
+    EXPECT_NE(test::plan_of(scene)->groups[0].key, plan->groups[0].key);
 }
 
 }  // namespace
