@@ -4,9 +4,9 @@
 // variant is for: `quantity`, `over_intensity`, `is_difference`, `is_reduced`. A software rasterizer runs both sides of every branch, so
 // one program for all maps would cost as much as all of them.
 
-uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the bench
+uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the polarimeter
 uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S0 of darkness (negative: no sample yet)
-uniform sampler2D red;           // red of S0, S1, S2, S3 as the color picture weighs them, before the bench
+uniform sampler2D red;           // red of S0, S1, S2, S3 as the color picture weighs them, before the polarimeter
 uniform sampler2D green;
 uniform sampler2D blue;
 uniform sampler2D difference;    // from the reference: value, weight, state, 1 where it is known
@@ -26,8 +26,8 @@ uniform float noise;             // pixel_noise
 uniform float full_weight;       // full_weight_polarization
 uniform bool fades;              // weak polarization is drawn with less than full weight
 uniform bool fades_by_bar;       // and so is what has a wide error bar
-uniform bool has_bench;
-uniform vec4 bench_row;          // S0 behind the bench
+uniform bool has_polarimeter;
+uniform vec4 polarimeter_row;          // S0 behind the polarimeter
 uniform float gain;
 uniform float offset;
 uniform float gamma;
@@ -59,7 +59,7 @@ Light light_at(ivec2 at) {
         vec4 r = texelFetch(red, at, 0);
         vec4 g = texelFetch(green, at, 0);
         vec4 b = texelFetch(blue, at, 0);
-        color = has_bench ? vec3(dot(bench_row, r), dot(bench_row, g), dot(bench_row, b)) : vec3(r.x, g.x, b.x);
+        color = has_polarimeter ? vec3(dot(polarimeter_row, r), dot(polarimeter_row, g), dot(polarimeter_row, b)) : vec3(r.x, g.x, b.x);
     }
     return Light(texelFetch(stokes, at, 0), error.x, error.y, error.z, error.w, color, error.w >= 0.0);
 }

@@ -10,29 +10,29 @@
 #include <vector>
 
 #include "cli/check_command.h"
-#include "cli/report.h"
-#include "cli/report_files.h"
-#include "io/assets.h"
-#include "io/output_file.h"
-#include "io/scene_file.h"
+#include "cli/messages.h"
+#include "cli/output_checks.h"
+#include "io/files/assets.h"
+#include "io/files/output_file.h"
+#include "io/scenes/scene_file.h"
 #include "render/renderer.h"
-#include "verify/convergence.h"
-#include "verify/convergence_report.h"
-#include "verify/convergence_summary.h"
-#include "verify/fact.h"
-#include "verify/html_page.h"
-#include "verify/invariants.h"
-#include "verify/machine.h"
-#include "verify/scene_twins.h"
-#include "verify/stiff.h"
-#include "verify/stiff_report.h"
+#include "report/html_page.h"
+#include "report/number_words.h"
+#include "verify/convergence/convergence.h"
+#include "verify/convergence/convergence_report.h"
+#include "verify/convergence/convergence_summary.h"
+#include "verify/convergence/machine.h"
+#include "verify/degenerate/degenerate_case.h"
+#include "verify/degenerate/degenerate_report.h"
+#include "verify/facts/fact.h"
+#include "verify/invariants/invariants.h"
+#include "verify/invariants/scene_twins.h"
 
 namespace pol {
 
 namespace {
 
 namespace fs = std::filesystem;
-using verify::xml_text;
 
 struct AllRequest {
     std::string folder;
@@ -84,11 +84,11 @@ Chapter check_facts() {
 
 Chapter check_stiff() {
     Chapter chapter{"Numbers near singular points", {}, {}};
-    std::vector<verify::StiffResult> results;
-    for (const verify::StiffCase& one : verify::stiff_cases()) results.push_back(verify::run(one));
+    std::vector<verify::DegenerateResult> results;
+    for (const verify::DegenerateCase& one : verify::degenerate_cases()) results.push_back(verify::run(one));
     const auto sound = static_cast<std::size_t>(
-        std::count_if(results.begin(), results.end(), [](const verify::StiffResult& r) { return r.sound; }));
-    chapter.body = verify::stiff_section(results);
+        std::count_if(results.begin(), results.end(), [](const verify::DegenerateResult& r) { return r.sound; }));
+    chapter.body = verify::degenerate_section(results);
     chapter.good = sound == results.size();
     chapter.verdict = fmt::format("{} of {} sweeps are sound", sound, results.size());
     return chapter;
@@ -210,7 +210,7 @@ int run(const AllRequest& request) {
         body += fmt::format("<h2 id=\"chapter{}\">{}</h2>\n<p class=\"{}\">{}</p>\n{}", i, xml_text(chapters[i].title),
                             chapters[i].good ? "good" : "bad", chapters[i].verdict, chapters[i].body);
     const fs::path page = fs::path(request.folder) / "report.html";
-    if (const auto written = write_file(page, verify::html_page("Can polariscope be trusted?", body)); !written)
+    if (const auto written = write_file(page, html_page("Can polariscope be trusted?", body)); !written)
         return report(written.error());
     fmt::print("{}\n", printable(page.string()));
     return good ? 0 : 1;

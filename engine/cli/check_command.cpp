@@ -12,13 +12,13 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/report.h"
+#include "cli/messages.h"
 #include "core/nearest_word.h"
-#include "io/exr_file.h"
-#include "io/scene_file.h"
-#include "verify/image_check.h"
-#include "verify/invariants.h"
-#include "verify/scene_twins.h"
+#include "io/pictures/exr_file.h"
+#include "io/scenes/scene_file.h"
+#include "verify/invariants/image_check.h"
+#include "verify/invariants/invariants.h"
+#include "verify/invariants/scene_twins.h"
 
 namespace pol {
 

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "cli/check_command.h"
-#include "cli/report.h"
-#include "cli/report_files.h"
+#include "cli/messages.h"
+#include "cli/output_checks.h"
 #include "core/nearest_word.h"
-#include "io/output_file.h"
-#include "verify/fact.h"
+#include "io/files/output_file.h"
+#include "verify/facts/fact.h"
 
 namespace pol {
 

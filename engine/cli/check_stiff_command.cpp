@@ -13,21 +13,22 @@
 #include <vector>
 
 #include "cli/check_command.h"
-#include "cli/report.h"
-#include "cli/report_files.h"
+#include "cli/messages.h"
+#include "cli/output_checks.h"
 #include "core/nearest_word.h"
-#include "io/output_file.h"
-#include "verify/stiff.h"
-#include "verify/stiff_report.h"
+#include "io/files/output_file.h"
+#include "report/number_words.h"
+#include "verify/degenerate/degenerate_case.h"
+#include "verify/degenerate/degenerate_report.h"
 
 namespace pol {
 
 namespace {
 
 namespace fs = std::filesystem;
-using verify::StiffCase;
-using verify::StiffPoint;
-using verify::StiffResult;
+using verify::DegenerateCase;
+using verify::DegeneratePoint;
+using verify::DegenerateResult;
 
 struct StiffRequest {
     std::vector<std::string> rows;
@@ -36,9 +37,9 @@ struct StiffRequest {
 };
 
 /// The cases that a name means: the case itself, or all of a row's number.
-Result<std::vector<const StiffCase*>> chosen_cases(const StiffRequest& request) {
-    std::vector<const StiffCase*> chosen;
-    for (const StiffCase& one : verify::stiff_cases()) {
+Result<std::vector<const DegenerateCase*>> chosen_cases(const StiffRequest& request) {
+    std::vector<const DegenerateCase*> chosen;
+    for (const DegenerateCase& one : verify::degenerate_cases()) {
         const auto means_it = [&one](const std::string& word) {
             return word == one.name || word == std::to_string(one.row);
         };
@@ -46,13 +47,13 @@ Result<std::vector<const StiffCase*>> chosen_cases(const StiffRequest& request) 
             chosen.push_back(&one);
     }
     for (const std::string& word : request.rows) {
-        const auto fits = [&word](const StiffCase* one) {
+        const auto fits = [&word](const DegenerateCase* one) {
             return word == one->name || word == std::to_string(one->row);
         };
         if (std::any_of(chosen.begin(), chosen.end(), fits)) continue;
         Error error{ErrorKind::usage, fmt::format("there is no case '{}'", word), {}, "--row", {}};
         std::vector<std::string_view> names;
-        for (const StiffCase& one : verify::stiff_cases()) names.push_back(one.name);
+        for (const DegenerateCase& one : verify::degenerate_cases()) names.push_back(one.name);
         const auto nearest = nearest_word(word, names);
         error.hint = nearest ? fmt::format("did you mean '{}'?", *nearest) : "polariscope check stiff lists all cases";
         for (const verify::UntestedRow& row : verify::untested_rows())
@@ -67,7 +68,7 @@ void print_heading() {
                "err/cond", "limit", "verdict");
 }
 
-void print_line(const StiffResult& r) {
+void print_line(const DegenerateResult& r) {
     fmt::print("{:>3}  {:<38}{:<22}{:>9.1e}  {:>9.1e}  {:>9.2g}  {:>6g}  {}\n", r.of->row, r.of->name,
                verify::range_text(*r.of), r.worst.finding.error, r.worst.finding.condition, r.ratio, r.limit,
                r.sound     ? "sound"
@@ -75,16 +76,16 @@ void print_line(const StiffResult& r) {
                            : "UNSOUND");
 }
 
-void print_ending(const std::vector<StiffResult>& results, double seconds) {
+void print_ending(const std::vector<DegenerateResult>& results, double seconds) {
     fmt::print(
         "\nerror: largest deviation from the reference; condition: how far one ulp of the inputs moves that result,\n"
         "and one ulp of itself; limit: rounded operations on the longest way from an input to a result.\n");
-    if (results.size() == verify::stiff_cases().size() && !verify::untested_rows().empty()) {
+    if (results.size() == verify::degenerate_cases().size() && !verify::untested_rows().empty()) {
         fmt::print("\nRows without a case:\n");
         for (const verify::UntestedRow& row : verify::untested_rows())
             fmt::print("{:>3}  {}: {}\n", row.row, row.subject, row.why);
     }
-    const auto sound = std::count_if(results.begin(), results.end(), [](const StiffResult& r) { return r.sound; });
+    const auto sound = std::count_if(results.begin(), results.end(), [](const DegenerateResult& r) { return r.sound; });
     fmt::print("\n{} of {} cases are sound ({}).\n", sound, results.size(), duration_text(seconds));
 }
 
@@ -92,11 +93,11 @@ nlohmann::ordered_json number(double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-void print_json(const std::vector<StiffResult>& results) {
+void print_json(const std::vector<DegenerateResult>& results) {
     nlohmann::ordered_json out;
-    out["sound"] = std::all_of(results.begin(), results.end(), [](const StiffResult& r) { return r.sound; });
+    out["sound"] = std::all_of(results.begin(), results.end(), [](const DegenerateResult& r) { return r.sound; });
     out["cases"] = nlohmann::ordered_json::array();
-    for (const StiffResult& r : results) {
+    for (const DegenerateResult& r : results) {
         nlohmann::ordered_json entry{{"row", r.of->row},
                                      {"case", r.of->name},
                                      {"sentence", r.of->sentence},
@@ -110,7 +111,7 @@ void print_json(const std::vector<StiffResult>& results) {
                                      {"limit", r.limit}};
         const bool pair = !r.of->second_knob.empty();
         if (pair) entry["second_knob"] = r.of->second_knob;
-        for (const StiffPoint& p : r.points) {
+        for (const DegeneratePoint& p : r.points) {
             nlohmann::ordered_json point{{"setting", p.setting},
                                          {"error", number(p.finding.error)},
                                          {"condition", number(p.finding.condition)},
@@ -129,12 +130,12 @@ void print_json(const std::vector<StiffResult>& results) {
     fmt::print("{}\n", out.dump(2));
 }
 
-Result<Done> write_folder(const fs::path& folder, const std::vector<StiffResult>& results) {
-    for (const StiffResult& r : results) {
-        const auto written = write_file(folder / (r.of->name + ".svg"), verify::plot_svg(verify::stiff_plot(r)));
+Result<Done> write_folder(const fs::path& folder, const std::vector<DegenerateResult>& results) {
+    for (const DegenerateResult& r : results) {
+        const auto written = write_file(folder / (r.of->name + ".svg"), plot_svg(verify::degenerate_plot(r)));
         if (!written) return written.error();
     }
-    return write_file(folder / "stiff.html", verify::stiff_page(results));
+    return write_file(folder / "stiff.html", verify::degenerate_page(results));
 }
 
 int run(const StiffRequest& request) {
@@ -145,9 +146,9 @@ int run(const StiffRequest& request) {
         if (!made) return report(made.error());
     }
     const auto start = std::chrono::steady_clock::now();
-    std::vector<StiffResult> results;
+    std::vector<DegenerateResult> results;
     if (!request.json) print_heading();
-    for (const StiffCase* one : chosen.value()) {
+    for (const DegenerateCase* one : chosen.value()) {
         results.push_back(verify::run(*one));
         if (!request.json) print_line(results.back());
     }
@@ -157,7 +158,7 @@ int run(const StiffRequest& request) {
     request.json ? print_json(results) : print_ending(results, took.count());
     if (!request.folder.empty() && !request.json)
         fmt::print("wrote {}\n", printable((fs::path(request.folder) / "stiff.html").string()));
-    const bool sound = std::all_of(results.begin(), results.end(), [](const StiffResult& r) { return r.sound; });
+    const bool sound = std::all_of(results.begin(), results.end(), [](const DegenerateResult& r) { return r.sound; });
     return sound ? 0 : 1;
 }
 

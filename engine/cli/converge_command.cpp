@@ -13,16 +13,17 @@
 #include <optional>
 #include <string>
 
+#include "cli/messages.h"
+#include "cli/output_checks.h"
 #include "cli/progress_line.h"
-#include "cli/report.h"
-#include "cli/report_files.h"
 #include "cli/scene_options.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 #include "render/renderer.h"
-#include "verify/convergence.h"
-#include "verify/convergence_report.h"
-#include "verify/convergence_summary.h"
-#include "verify/html_page.h"
+#include "report/html_page.h"
+#include "report/number_words.h"
+#include "verify/convergence/convergence.h"
+#include "verify/convergence/convergence_report.h"
+#include "verify/convergence/convergence_summary.h"
 
 namespace pol {
 
@@ -94,11 +95,10 @@ Result<Done> write_report(const verify::ConvergenceRequest& work, const verify::
     const auto pictures = verify::budget_pictures(work, result);
     if (!pictures) return pictures.error();
     for (const verify::NamedPlot& named : verify::convergence_plots(result))
-        if (auto done = write_file(work.folder / (named.name + ".svg"), verify::plot_svg(named.plot)); !done)
-            return done;
+        if (auto done = write_file(work.folder / (named.name + ".svg"), plot_svg(named.plot)); !done) return done;
     return write_file(work.folder / "report.html",
-                      verify::html_page("Error against run time: " + work.scene_name,
-                                        verify::convergence_section(work, result, pictures.value(), command)));
+                      html_page("Error against run time: " + work.scene_name,
+                                verify::convergence_section(work, result, pictures.value(), command)));
 }
 
 /// The command line that makes the report again.

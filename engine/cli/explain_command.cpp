@@ -10,14 +10,15 @@
 
 #include <fmt/format.h>
 
-#include "cli/explain_report.h"
-#include "cli/ray_table.h"
-#include "cli/report.h"
+#include "cli/messages.h"
+#include "cli/output_checks.h"
 #include "cli/scene_options.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
+#include "report/explain_report.h"
+#include "report/ray_table.h"
 #include "spectrum/wavelength_grid.h"
 #include "tracer/explain.h"
-#include "verify/pixel_case.h"
+#include "verify/facts/pixel_case.h"
 
 namespace pol {
 

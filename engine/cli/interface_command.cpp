@@ -20,11 +20,11 @@
 #include <vector>
 
 #include "cli/interface_cases.h"
-#include "cli/report.h"
+#include "cli/messages.h"
 #include "core/units.h"
-#include "io/assets.h"
-#include "io/index_file.h"
-#include "media/medium.h"
+#include "io/files/assets.h"
+#include "io/scenes/index_file.h"
+#include "scene/medium.h"
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {

@@ -17,12 +17,13 @@
 #include <utility>
 #include <vector>
 
-#include "cli/report.h"
-#include "io/exr_file.h"
-#include "io/map_picture.h"
-#include "io/png_file.h"
+#include "cli/messages.h"
+#include "cli/output_checks.h"
+#include "io/pictures/exr_file.h"
+#include "io/pictures/png_file.h"
 #include "maps/colorize.h"
 #include "maps/quantity.h"
+#include "report/map_picture.h"
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/report.h"
+#include "cli/messages.h"
 #include "cli/scene_options.h"
 
 namespace pol {

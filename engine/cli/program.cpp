@@ -20,9 +20,9 @@
 #include "cli/explain_command.h"
 #include "cli/interface_command.h"
 #include "cli/maps_command.h"
+#include "cli/messages.h"
 #include "cli/plan_command.h"
 #include "cli/render_command.h"
-#include "cli/report.h"
 #include "core/nearest_word.h"
 #include "core/result.h"
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "cli/report.h"
+#include "report/number_words.h"
 
 namespace pol {
 

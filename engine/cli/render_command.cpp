@@ -14,13 +14,14 @@
 #include <new>
 #include <optional>
 
+#include "cli/messages.h"
+#include "cli/output_checks.h"
 #include "cli/progress_line.h"
 #include "cli/render_report.h"
-#include "cli/report.h"
 #include "cli/scene_options.h"
-#include "io/exr_file.h"
-#include "io/output_file.h"
-#include "io/picture_attributes.h"
+#include "io/files/output_file.h"
+#include "io/pictures/exr_file.h"
+#include "io/scenes/picture_attributes.h"
 #include "plan/compile.h"
 #include "render/renderer.h"
 

@@ -8,8 +8,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "cli/report.h"
-#include "io/output_file.h"
+#include "cli/messages.h"
+#include "io/files/output_file.h"
+#include "report/number_words.h"
 
 namespace pol {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "cli/report.h"
-#include "io/scene_file.h"
+#include "cli/messages.h"
+#include "io/scenes/scene_file.h"
 #include "plan/compile.h"
 #include "scene/check.h"
 #include "spectrum/wavelength_grid.h"

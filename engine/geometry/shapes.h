@@ -11,7 +11,8 @@ namespace pol {
 
 /// Mesh of a flat-faced shape in object space. Solids are closed with outward normals; the planes come from the
 /// parameters and the vertices from the planes. Rectangle: open, two triangles. Error (with field and hint) for
-/// impossible parameters, and for sphere, disk (both curved: analytic elsewhere) and mesh file (see io/mesh_file.h).
+/// impossible parameters, and for sphere, disk (both curved: analytic elsewhere) and mesh file (see
+/// io/meshes/mesh_file.h).
 ///
 /// Facet order, e.g. for naming faces: box -x +x -y +y -z +z; extrusion, prism and rhomb -z, +z, then the sides in
 /// the order of the polygon's edges (prism: base, right leg, left leg; rhomb: long face below, exit, long face above,

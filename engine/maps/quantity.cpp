@@ -5,10 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "core/contract.h"
+#include "core/nearest_word.h"
 
 namespace pol {
 namespace {
@@ -46,21 +46,6 @@ constexpr std::array<QuantityInfo, 16> table{{
      "(|(S1, S2, S3)| - S0) / (|(S1, S2, S3)| + |S0|) where that exceeds rounding of the numbers, else 0; "
      "empty if the renderer is right"},
 }};
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row.back();
-}
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "plan/compile_media.h"
 #include "plan/covers.h"
 #include "plan/reach.h"
+#include "scene/place.h"
 
 namespace pol {
 

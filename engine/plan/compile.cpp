@@ -18,6 +18,7 @@
 #include "plan/compile_media.h"
 #include "plan/list_features.h"
 #include "plan/reach.h"
+#include "scene/place.h"
 
 namespace pol {
 

@@ -6,6 +6,7 @@
 
 #include "core/overloaded.h"
 #include "plan/compile_media.h"
+#include "scene/place.h"
 #include "spectrum/illuminant.h"
 #include "spectrum/rgb_spectrum.h"
 

@@ -37,15 +37,4 @@ private:
 /// Optical constants of one medium at one wavelength, with its optic axis (if it has one) along `axis_world`.
 Result<MediumAt> medium_at(const Medium& medium, const DVec3& axis_world, double wavelength_nm, double unit_nm);
 
-/// A direction of object space (an axis of a sheet, crystal or lamp) in world space: it turns and is mirrored with the
-/// object but is not stretched. Under a transform that does stretch, it keeps its angles to the object's x edge and xy
-/// plane.
-DVec3 direction_to_world(const DMat4& to_world, const DVec3& direction);
-
-/// Names `place` in the scene's files.
-Error at_place(Error error, const Scene& scene, const SourcePlace& place);
-
-/// The same for a key of an object, error.field, or for the whole object.
-Error at_object(Error error, const Scene& scene, int object);
-
 }  // namespace pol

@@ -10,6 +10,7 @@
 #include "geometry/facet_contact.h"
 #include "plan/compile_media.h"
 #include "plan/reach.h"
+#include "scene/place.h"
 
 namespace pol {
 

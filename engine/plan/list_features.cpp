@@ -172,7 +172,7 @@ std::vector<std::string> doubts_of_absorbing_glass(const Plan& plan) {
     return sentences;
 }
 
-/// Crystals whose absorption their faces should show (media/medium.h, strongest_crystal_extinction).
+/// Crystals whose absorption their faces should show (scene/medium.h, strongest_crystal_extinction).
 std::vector<std::string> doubts_of_crystal_faces(const Scene& scene, const Plan& plan) {
     constexpr double noticed = 1e-6;
     std::vector<std::string> sentences;

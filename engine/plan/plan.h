@@ -9,7 +9,7 @@
 
 #include "core/result.h"
 #include "geometry/ray_caster.h"
-#include "media/attenuation.h"
+#include "optics/attenuation.h"
 #include "plan/body.h"
 #include "plan/camera_model.h"
 #include "plan/emitter.h"

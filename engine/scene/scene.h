@@ -12,10 +12,10 @@
 #include "core/source_place.h"
 #include "core/vec.h"
 #include "geometry/shape.h"
-#include "media/medium.h"
 #include "optics/elements.h"
 #include "scene/camera.h"
 #include "scene/light.h"
+#include "scene/medium.h"
 #include "spectrum/spectrum.h"
 
 namespace pol {

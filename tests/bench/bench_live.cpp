@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scene_file.h"
+#include "io/scenes/scene_file.h"
 #include "plan/compile.h"
 #include "render/renderer.h"
 

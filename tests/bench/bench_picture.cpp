@@ -6,10 +6,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "io/exr_file.h"
+#include "io/pictures/exr_file.h"
 #include "support/egl_context.h"
 #include "viewer/gl/gl.h"
-#include "viewer/picture_renderer.h"
+#include "viewer/picture/picture_renderer.h"
 
 namespace pol {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light, frames and words of a tree as explain writes them: the same in text, JSON, CSV and OBJ, and right.
-#include "cli/explain_report.h"
+#include "report/explain_report.h"
 
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cli/ray_table.h"
+#include "report/ray_table.h"
 #include "support/lit_trees.h"
 #include "tracer/tree_names.h"
 

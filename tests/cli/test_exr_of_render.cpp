@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/exr_file.h"
+#include "io/pictures/exr_file.h"
 
 namespace pol {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/report.h"
+#include "cli/messages.h"
+#include "report/number_words.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Pictures: whatever an EXR file holds, reading it ends in a picture whose planes have its size, or in an error.
 #include "core/contract.h"
 #include "fuzz/fuzz_input.h"
-#include "io/exr_file.h"
+#include "io/pictures/exr_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto picture = pol::read_exr(pol::test::as_file(pol::test::as_text(data, size), ".exr"));

@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "fuzz/fuzz_input.h"
-#include "io/index_file.h"
+#include "io/scenes/index_file.h"
 #include "spectrum/refractive_index.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,7 +5,7 @@
 
 #include "core/contract.h"
 #include "fuzz/fuzz_input.h"
-#include "io/mesh_file.h"
+#include "io/meshes/mesh_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const std::array<const char*, 5> endings = {".obj", ".ply", ".stl", ".gltf", ".glb"};

@@ -2,7 +2,7 @@
 // Scenes: what can be read can be written, and reads back as a scene.
 #include "core/contract.h"
 #include "fuzz/fuzz_input.h"
-#include "io/scene_file.h"
+#include "io/scenes/scene_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(pol::test::as_text(data, size));

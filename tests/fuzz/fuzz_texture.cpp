@@ -5,7 +5,7 @@
 
 #include "core/contract.h"
 #include "fuzz/fuzz_input.h"
-#include "io/texture_file.h"
+#include "io/scenes/texture_file.h"
 
 namespace {
 

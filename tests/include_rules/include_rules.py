@@ -1,82 +1,81 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the house rules that no compiler sees: who may include whom, which folder may use which library, licence lines,
-file lengths. Prints one `file:line: rule` per violation; exits 1 if there is any.
+"""Checks the house rules that no compiler sees: who may include whom and which room may use which library (rooms.txt),
+licence lines, file lengths. Prints one `file:line: rule` per violation; exits 1 if there is any.
 
 Usage: include_rules.py ROOT        (the top of a working tree)
 
-The table is the one of engine/README.md. A header or library that no rule knows is a violation too: using a new one is a
-decision, and it is taken here.
+A header or library that no row knows is a violation too: using a new one is a decision, and it is taken there.
 """
 
 import re
 import sys
 from pathlib import Path
 
-# Folder of engine/ -> folders it may include. Every folder may include itself.
-MAY_INCLUDE = {
-    "core": [],
-    "spectrum": ["core"],
-    "polarization": ["core"],
-    "optics": ["core", "spectrum", "polarization"],
-    "media": ["core", "spectrum", "polarization"],
-    "geometry": ["core"],
-    "scene": ["core", "spectrum", "optics", "media", "geometry"],
-    "plan": ["core", "spectrum", "polarization", "optics", "media", "geometry", "scene"],
-    "tracer": ["core", "spectrum", "polarization", "optics", "media", "geometry", "scene", "plan"],
-    "film": ["core", "spectrum", "polarization"],
-    "maps": ["core", "spectrum", "polarization", "film"],
-    "render": ["core", "spectrum", "polarization", "optics", "media", "geometry", "scene", "plan", "tracer", "film"],
-    "io": ["core", "spectrum", "polarization", "optics", "media", "geometry", "scene", "plan/settings.h", "film", "maps"],
-}
-MAY_INCLUDE["verify"] = list(MAY_INCLUDE) + ["plan"]
-MAY_INCLUDE["cli"] = list(MAY_INCLUDE) + ["plan"]
-
-# A single header that some folders may not include although the table opens its folder to them.
-NOT_FOR = {"geometry/ray_caster.h": ["scene", "io"]}
-
-# Library headers by how their name begins -> where in engine/ they may be used ("" means everywhere).
+# Headers of a library by how their names begin -> its name in rooms.txt. What no row here knows is a violation.
 LIBRARIES = {
-    "glm/": [""],
-    "boost/multiprecision/": [""],
-    "hwy/": ["geometry/"],
-    "embree3/": ["geometry/ray_caster.cpp"],
-    "embree4/": ["geometry/ray_caster.cpp"],
-    "OpenEXR/": ["io/"],
-    "Imath/": ["io/"],
-    "Imf": ["io/"],
-    "openexr.h": ["io/"],
-    "Iex": ["io/"],
-    "yaml-cpp/": ["io/"],
-    "png.h": ["io/"],
-    "zlib.h": ["io/"],
-    "tiny": ["io/"],
-    "stb": ["io/"],
-    "cairo": ["io/", "maps/"],
-    "nlohmann/": ["io/", "verify/", "cli/"],
-    "fmt/": ["io/", "verify/", "cli/"],
-    "CLI/": ["cli/"],
-    "fcntl.h": ["io/", "cli/"],
-    "signal.h": ["io/", "cli/"],
-    "unistd.h": ["io/", "cli/"],
-    "sys/": ["io/", "cli/"],
+    "boost/multiprecision/": None,  # None: for every room
+    "glm/": None,
+    "hwy/": "highway",
+    "embree3/": "embree",
+    "embree4/": "embree",
+    "OpenEXR/": "openexr",
+    "Imath/": "openexr",
+    "Imf": "openexr",
+    "openexr.h": "openexr",
+    "Iex": "openexr",
+    "yaml-cpp/": "yaml-cpp",
+    "png.h": "png",
+    "tiny_gltf": "tinygltf",
+    "cairo": "cairo",
+    "nlohmann/": "json",
+    "fmt/": "fmt",
+    "CLI/": "cli11",
+    "imgui": "imgui",
+    "fontconfig/": "fontconfig",
+    "GL/": "opengl",
+    "EGL/": "opengl",
+    "GLFW/": "glfw",
+    "fcntl.h": "posix",
+    "signal.h": "posix",
+    "unistd.h": "posix",
+    "sys/": "posix",
 }
-# Threads live in render; the film guards itself with one mutex.
-THREADS = {"thread", "mutex", "shared_mutex", "atomic", "condition_variable", "future", "semaphore", "latch", "barrier"}
-THREAD_USERS = {"render": THREADS, "film": {"mutex"}}
+THREADS = {"thread", "shared_mutex", "atomic", "condition_variable", "future", "semaphore", "latch", "barrier", "stop_token"}
+# A library that one file of its room hides from all others.
+ONLY_IN = {"embree": "engine/geometry/ray_caster.cpp"}
+# A single header that some rooms may not include although the table opens its room to them.
+NOT_FOR = {"engine/geometry/ray_caster.h": ["engine/scene", "engine/io/meshes", "engine/io/scenes"]}
 
-# Part of viewer/ -> beginnings of library headers it may not include. The first part that a path begins with counts;
-# what is not named is the session: no window, no GL, no ImGui.
-IMGUI, GL, WINDOW = ("imgui",), ("GL/", "EGL/"), ("GLFW/",)
-VIEWER_NOT = {
-    "panels/": GL + WINDOW,
-    "widgets/": GL + WINDOW,
-    "interface": GL + WINDOW,
-    "gl/": IMGUI + WINDOW,
-    "picture_renderer": IMGUI + WINDOW,
-    "app": (),
-    "": IMGUI + GL + WINDOW,
-}
+
+class Room:
+    """A row of rooms.txt: which rooms it may include (itself, too) and which libraries it may use."""
+
+    def __init__(self, about, rooms, libraries):
+        self.about, self.rooms, self.libraries = about, rooms, libraries
+
+
+def read_rooms(file):
+    """The table as {name: Room}. Rows see only rows above them."""
+    rooms = {}
+    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        cells = [cell.strip() for cell in line.split("|")]
+        if len(cells) != 4 or not cells[0] or not cells[1]:
+            sys.exit(f"{file}:{number}: a row is: room | what it is about | rooms | libraries")
+        name, about, may_include, libraries = cells
+        seen = {name}
+        for word in may_include.split():
+            room = word.rstrip("+")
+            if room.split("/")[0] not in ("engine", "viewer"):
+                room = f"{name.split('/')[0]}/{room}"
+            if room not in rooms:
+                sys.exit(f"{file}:{number}: '{word}' is no room that stands above {name}")
+            seen |= rooms[room].rooms if word.endswith("+") else {room}
+        rooms[name] = Room(about, seen, set(libraries.split()))
+    return rooms
+
 
 SOURCES = {".h", ".cpp", ".vert", ".frag", ".glsl"}
 SCRIPTS = {".py", ".sh"}
@@ -90,62 +89,57 @@ def without_comments(text):
     return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
 
 
-def library_rule(path, header):
-    """Why `path` (below engine/) may not include the library header, or None."""
+def library_rule(rooms, path, header):
+    """Why the file `path` may not include the library header, or None."""
+    name = str(Path(path).parent)
     if "." not in header and "/" not in header:  # the standard library
-        folder = path.split("/")[0]
-        if header in THREADS and header not in THREAD_USERS.get(folder, set()):
-            return f"<{header}>: threads live in render only (film: its mutex)"
-        if header == "complex":
+        library = "mutex" if header == "mutex" else "threads" if header in THREADS else None
+        if library and library not in rooms[name].libraries:
+            return f"<{header}>: {name} has no {library}"
+        if header == "complex" and path.startswith("engine/"):
             return "<complex>: the engine has its own, core/complex.h"
         return None
-    for beginning, users in LIBRARIES.items():
+    for beginning, library in LIBRARIES.items():
         if header.startswith(beginning):
-            if any(path.startswith(user) for user in users):
+            if library is None or (library in rooms[name].libraries and ONLY_IN.get(library, path) == path):
                 return None
-            return f"<{header}> is for {', '.join(users)} only"
+            where = ONLY_IN.get(library) or ", ".join(r for r in rooms if library in rooms[r].libraries) or "no room"
+            return f"<{header}> is for {where} only"
     return f"<{header}>: a library that the table of include_rules.py does not know"
 
 
-def engine_rule(path, header):
-    """Why `path` (below engine/) may not include the engine header "folder/name.h", or None."""
-    folder, target = path.split("/")[0], header.split("/")[0]
-    if folder not in MAY_INCLUDE:
-        return f"folder {folder} is not in the include table"
+def room_rule(rooms, path, header):
+    """Why the file `path` may not include the header of a room, as in "core/vec.h" or "viewer/shown/glyphs.h", or None."""
+    name = str(Path(path).parent)
+    full = header if header.startswith("viewer/") else "engine/" + header
+    target = str(Path(full).parent)
     if "/" not in header:
-        return f'"{header}": name the folder, as in "{folder}/{header}"'
-    if folder in NOT_FOR.get(header, []):
-        return f'{folder} may not include "{header}"'
-    if target == folder or target in MAY_INCLUDE[folder] or header in MAY_INCLUDE[folder]:
+        return f'"{header}": name the folder, as in "{name.removeprefix("engine/")}/{header}"'
+    if name in NOT_FOR.get(full, []):
+        return f'{name} may not include "{header}"'
+    if target in rooms[name].rooms:
         return None
-    allowed = ", ".join(MAY_INCLUDE[folder]) or "the standard library and glm"
-    return f'{folder} may not include "{header}" (it may include {allowed})'
+    allowed = ", ".join(sorted(rooms[name].rooms - {name})) or "the standard library and glm"
+    return f'{name} may not include "{header}" (it may include {allowed})'
 
 
-def viewer_rule(path, header):
-    """Why `path` (below viewer/) may not include the library header, or None."""
-    part, beginnings = next(item for item in VIEWER_NOT.items() if path.startswith(item[0]))
-    return f"viewer/{part or path} may not include <{header}>" if header.startswith(beginnings) else None
-
-
-def check_includes(top, path, lines):
+def check_includes(rooms, path, lines):
+    if str(Path(path).parent) not in rooms:
+        yield 1, f"folder {Path(path).parent} has no row in rooms.txt"
+        return
     for number, line in enumerate(lines, 1):
         match = INCLUDE.match(line)
-        if not match:
-            continue
-        quoted, header = match.group(1) == '"', match.group(2)
-        if top == "engine":
-            rule = engine_rule(path, header) if quoted else library_rule(path, header)
-        else:
-            rule = None if quoted else viewer_rule(path, header)
-        if rule:
-            yield number, rule
+        if match:
+            rule = room_rule if match.group(1) == '"' else library_rule
+            if why := rule(rooms, path, match.group(2)):
+                yield number, why
 
 
-def check_file(root, file):
+def check_file(root, rooms, file):
     """Yields (line, rule) for every violation in one file."""
     lines = file.read_text(encoding="utf-8").splitlines()
-    top, path = file.relative_to(root).as_posix().split("/", 1)
+    path = file.relative_to(root).as_posix()
+    top = path.split("/")[0]
 
     licence_line = 1 if lines and lines[0].startswith("#!") else 0
     if len(lines) <= licence_line or "SPDX-License-Identifier: Apache-2.0" not in lines[licence_line]:
@@ -157,7 +151,7 @@ def check_file(root, file):
     if file.suffix == ".h" and "#pragma once" not in lines:
         yield 1, "a header needs #pragma once"
     if top in ("engine", "viewer"):
-        yield from check_includes(top, path, lines)
+        yield from check_includes(rooms, path, lines)
     if top == "engine":
         for number, line in enumerate(without_comments("\n".join(lines)).split("\n"), 1):
             if re.search(r"\bstd::complex\b", line):
@@ -166,11 +160,12 @@ def check_file(root, file):
 
 def violations(root):
     """All violations below `root` as sorted lines of text."""
+    rooms = read_rooms(root / "rooms.txt")
     found = []
     for top in ("engine", "viewer", "shaders", "tests"):
         for file in sorted((root / top).rglob("*")):
             if file.suffix in SOURCES | SCRIPTS and file.is_file():
-                found += [f"{file.relative_to(root)}:{line}: {rule}" for line, rule in check_file(root, file)]
+                found += [f"{file.relative_to(root)}:{line}: {rule}" for line, rule in check_file(root, rooms, file)]
     return found
 
 

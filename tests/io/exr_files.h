@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/exr_file.h"
+#include "io/pictures/exr_file.h"
 
 namespace pol {
 

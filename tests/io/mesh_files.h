@@ -14,7 +14,7 @@
 
 #include "geometry/mesh_check.h"
 #include "geometry/shapes.h"
-#include "io/mesh_file.h"
+#include "io/meshes/mesh_file.h"
 
 namespace pol::test {
 

@@ -24,9 +24,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/exr_channel.h"
-#include "io/exr_file.h"
 #include "io/exr_files.h"
+#include "io/pictures/exr_channel.h"
+#include "io/pictures/exr_file.h"
 
 namespace pol {
 namespace {

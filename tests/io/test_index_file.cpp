@@ -8,8 +8,8 @@
 #include <random>
 #include <sstream>
 
-#include "io/assets.h"
-#include "io/index_file.h"
+#include "io/files/assets.h"
+#include "io/scenes/index_file.h"
 
 namespace pol {
 namespace {

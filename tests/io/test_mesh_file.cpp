@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/mesh_file.h"
+#include "io/meshes/mesh_file.h"
 
 #include <gtest/gtest.h>
 

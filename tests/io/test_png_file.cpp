@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "io/map_picture.h"
-#include "io/png_file.h"
-#include "maps/bar_ticks.h"
+#include "io/pictures/png_file.h"
+#include "report/bar_ticks.h"
+#include "report/map_picture.h"
 
 namespace pol {
 namespace {

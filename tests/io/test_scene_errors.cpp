@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/scene_file.h"
+#include "io/scenes/scene_file.h"
 
 namespace pol {
 namespace {

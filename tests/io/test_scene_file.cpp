@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/scene_file.h"
+#include "io/scenes/scene_file.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/units.h"
-#include "io/scene_hash.h"
+#include "io/scenes/scene_hash.h"
 
 namespace pol {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/scene_patch.h"
+#include "io/scenes/scene_patch.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "core/units.h"
-#include "io/scene_file.h"
-#include "io/scene_hash.h"
+#include "io/scenes/scene_file.h"
+#include "io/scenes/scene_hash.h"
 
 namespace pol {
 namespace {

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <vector>
 
-#include "io/texture_file.h"
+#include "io/scenes/texture_file.h"
 
 namespace pol {
 namespace {

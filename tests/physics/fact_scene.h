@@ -13,9 +13,9 @@
 #include "core/units.h"
 #include "polarization/measures.h"
 #include "support/render_scene.h"
-#include "verify/closed_forms.h"
-#include "verify/scene_text.h"
-#include "verify/tree_paths.h"
+#include "verify/facts/closed_forms.h"
+#include "verify/facts/scene_text.h"
+#include "verify/facts/tree_paths.h"
 
 namespace pol::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Crystals beyond facts T38 and T39, as whole pictures, and the indices of a biaxial one (T40).
-#include "io/index_file.h"
+#include "io/scenes/index_file.h"
 #include "physics/crystal_scene.h"
 
 namespace pol::test {

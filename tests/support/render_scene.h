@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/scene_file.h"
+#include "io/scenes/scene_file.h"
 #include "plan/compile.h"
 #include "render/renderer.h"
 #include "tracer/explain.h"

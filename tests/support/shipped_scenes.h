@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/render_scene.h"
-#include "verify/scene_twins.h"
+#include "verify/invariants/scene_twins.h"
 
 namespace pol::test {
 

@@ -7,7 +7,7 @@
 
 #include "polarization/measures.h"
 #include "support/shipped_scenes.h"
-#include "verify/error_bar_check.h"
+#include "verify/invariants/error_bar_check.h"
 
 namespace pol {
 namespace {

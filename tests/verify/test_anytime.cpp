@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "support/render_scene.h"
-#include "verify/anytime.h"
-#include "verify/error_metrics.h"
+#include "verify/convergence/anytime.h"
+#include "verify/convergence/error_metrics.h"
 
 namespace pol::verify {
 namespace {

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <functional>
 
-#include "io/exr_file.h"
+#include "io/pictures/exr_file.h"
 #include "support/render_scene.h"
-#include "verify/convergence.h"
-#include "verify/convergence_summary.h"
+#include "verify/convergence/convergence.h"
+#include "verify/convergence/convergence_summary.h"
 
 namespace pol::verify {
 namespace {

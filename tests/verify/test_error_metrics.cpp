@@ -8,8 +8,8 @@
 #include "core/units.h"
 #include "film/picture_error.h"
 #include "polarization/coherence_matrix.h"
-#include "verify/error_metrics.h"
-#include "verify/picture_parts.h"
+#include "verify/convergence/error_metrics.h"
+#include "verify/convergence/picture_parts.h"
 
 namespace pol::verify {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/fact.h"
+#include "verify/facts/fact.h"
 
 namespace pol::verify {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/random.h"
 #include "polarization/measures.h"
-#include "verify/image_check.h"
+#include "verify/invariants/image_check.h"
 
 namespace pol::verify {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "support/shipped_scenes.h"
-#include "verify/error_bar_check.h"
-#include "verify/invariants.h"
-#include "verify/scene_twins.h"
+#include "verify/invariants/error_bar_check.h"
+#include "verify/invariants/invariants.h"
+#include "verify/invariants/scene_twins.h"
 
 namespace pol::verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <regex>
 #include <string>
 
-#include "verify/plot_svg.h"
+#include "report/plot_svg.h"
 
 namespace pol::verify {
 namespace {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "support/shipped_scenes.h"
-#include "verify/closed_paths.h"
-#include "verify/invariants.h"
-#include "verify/rounding_error.h"
-#include "verify/wide_replay.h"
+#include "verify/convergence/rounding_error.h"
+#include "verify/convergence/wide_replay.h"
+#include "verify/degenerate/closed_paths.h"
+#include "verify/invariants/invariants.h"
 
 namespace pol::verify {
 namespace {

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <string>
 
-#include "io/exr_file.h"
-#include "viewer/session.h"
+#include "io/pictures/exr_file.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/commands.h"
+#include "viewer/commands/commands.h"
 #include "viewer/widgets/widget_map.h"
 #include "viewer/window_without_gl.h"
 

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <thread>
 
-#include "io/scene_file.h"
+#include "io/scenes/scene_file.h"
 #include "known_picture.h"
 #include "maps/difference.h"
 #include "spectrum/illuminant.h"
 #include "support/two_mirrors.h"
-#include "viewer/map_look.h"
+#include "viewer/session/map_look.h"
 
 namespace pol {
 namespace {

@@ -4,12 +4,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/exr_file.h"
-#include "io/pixel_case_file.h"
-#include "io/scene_file.h"
-#include "io/scene_hash.h"
+#include "io/pictures/exr_file.h"
+#include "io/scenes/pixel_case_file.h"
+#include "io/scenes/scene_file.h"
+#include "io/scenes/scene_hash.h"
 #include "support/render_scene.h"
-#include "viewer/document.h"
+#include "viewer/document/document.h"
 #include "viewer/viewer_files.h"
 
 namespace pol {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "viewer/edit_history.h"
+#include "viewer/document/edit_history.h"
 
 namespace pol {
 namespace {

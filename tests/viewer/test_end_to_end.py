@@ -171,7 +171,7 @@ class EndToEnd(unittest.TestCase):
         self.assertEqual(taken.read_text(), "not mine")
         window.key("ctrl+a")
         window.type(str(self.folder / "mine.yaml"))
-        window.click("sheet Save")
+        window.click("entry Save")
         self.assertEqual(window.state["document"], str(self.folder / "mine.yaml"))
         self.assertNotIn("[ Save ]", window.text)
         hashes = {self.scene_hash(self.scene), self.scene_hash(self.folder / "mine.yaml")}

@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "core/units.h"
-#include "io/exr_file.h"
-#include "io/input_file.h"
-#include "io/scene_hash.h"
+#include "io/files/input_file.h"
+#include "io/pictures/exr_file.h"
+#include "io/scenes/scene_hash.h"
 #include "support/render_scene.h"
-#include "viewer/exports.h"
+#include "viewer/session/exports.h"
 #include "viewer/viewer_files.h"
 
 namespace pol {
@@ -196,12 +196,12 @@ TEST_F(Exports, AFolderThatCannotBeWrittenIsReported) {
 }
 
 // Behind a polarizer at 0 degrees everything is linear along x.
-TEST_F(Exports, TheMarkedPixelsAreListedAtAllWavelengthsBehindTheBench) {
+TEST_F(Exports, TheMarkedPixelsAreListedAtAllWavelengthsBehindThePolarimeter) {
     test::write_text("plate.yaml", test::plate_scene(8, 4));
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
     test::finish(*session.current());
-    session.bench.elements.push_back({BenchElementKind::polarizer, true, 0.0, 0.0});
+    session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, 0.0, 0.0});
     session.selection.marked.assign(32, false);
     session.selection.marked[11] = session.selection.marked[20] = true;
     export_pixels(session);
@@ -242,10 +242,10 @@ TEST_F(Exports, PixelsAreListedInTheShownConventionWhichTheTableNames) {
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
     test::finish(*session.current());
-    session.bench.elements.push_back({BenchElementKind::polarizer, true, 0.3, 0.0});
-    session.bench.elements.push_back({BenchElementKind::retarder, true, 0.0, 1.0});
+    session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, 0.3, 0.0});
+    session.polarimeter.elements.push_back({PolarimeterElementKind::retarder, true, 0.0, 1.0});
     session.view.convention = {Viewpoint::source, PositiveS3::right, TimeSign::minus};
-    const ShownPicture engine(session.current()->picture(), session.bench);
+    const ShownPicture engine(session.current()->picture(), session.polarimeter);
     export_pixels(session);
     wait_for_exports(session);
     std::istringstream lines(text_of("plate.csv"));
@@ -274,8 +274,8 @@ TEST_F(Exports, AMapIsWrittenInTheShownConvention) {
     test::finish(*session.current());
     session.show(Quantity::s3);
     const auto corner_of_map = [&](double axis, PositiveS3 positive) {
-        session.bench.elements = {{BenchElementKind::polarizer, true, axis, 0.0},
-                                  {BenchElementKind::retarder, true, 0.0, 1.0}};
+        session.polarimeter.elements = {{PolarimeterElementKind::polarizer, true, axis, 0.0},
+                                        {PolarimeterElementKind::retarder, true, 0.0, 1.0}};
         session.view.convention.positive_s3 = positive;
         session.finish_shown_map();
         const fs::path path = free_export_path(session, "plate-s3", ".png");

@@ -8,9 +8,9 @@
 #include <string>
 #include <thread>
 
-#include "verify/fact.h"
-#include "viewer/command_actions.h"
-#include "viewer/fact_sheet.h"
+#include "verify/facts/fact.h"
+#include "viewer/commands/command_actions.h"
+#include "viewer/pages/fact_page.h"
 #include "viewer/panels/fact_panel.h"
 #include "viewer/viewer_files.h"
 #include "viewer/widgets/widget_map.h"
@@ -62,7 +62,7 @@ TEST_F(FactsPanel, ShowsExpectedAndMeasuredAtThePinnedPixel) {
     expect_says(text, "measured | 36.869897646 deg");  // atan 0.75
     expect_says(text, "four surfaces, in degrees");
     EXPECT_EQ(text.find("FAIL"), std::string::npos) << text;
-    for (const FactRow& row : make_fact_sheet(session).rows) EXPECT_EQ(row.reading->view, 2U);
+    for (const FactRow& row : make_fact_page(session).rows) EXPECT_EQ(row.reading->view, 2U);
 }
 
 TEST_F(FactsPanel, AnEditIsMeasuredAndItsUndoToo) {
@@ -73,9 +73,9 @@ TEST_F(FactsPanel, AnEditIsMeasuredAndItsUndoToo) {
     explain_pin(session);
     // 2 atan(cos i sqrt(sin^2 i - 1/n^2)/sin^2 i) at n = 1.6 and 45 degrees: tan(delta/2) = sqrt(1 - 2/2.56).
     const double half = std::atan(std::sqrt(1.0 - 2.0 / 2.56));
-    const FactSheet sheet = make_fact_sheet(session);
-    ASSERT_TRUE(sheet.rows.at(0).result);
-    EXPECT_NEAR(sheet.rows[0].result->measured, std::tan(half), 1e-12);
+    const FactPage page = make_fact_page(session);
+    ASSERT_TRUE(page.rows.at(0).result);
+    EXPECT_NEAR(page.rows[0].result->measured, std::tan(half), 1e-12);
     expect_says(panel_text(), "ellipticity FAIL");
     ASSERT_TRUE(session.undo());
     explain_pin(session);
@@ -127,9 +127,9 @@ TEST_F(FactsPanel, EveryViewOpensAndPasses) {
             EXPECT_FALSE(session.current()->dirty());
             session.current()->set_paused(true);
             explain_pin(session);
-            const FactSheet sheet = make_fact_sheet(session);
-            EXPECT_EQ(sheet.trouble, "") << fact.id;
-            for (const FactRow& row : sheet.rows) {
+            const FactPage page = make_fact_page(session);
+            EXPECT_EQ(page.trouble, "") << fact.id;
+            for (const FactRow& row : page.rows) {
                 ASSERT_TRUE(row.result) << fact.id;
                 EXPECT_EQ(row.result->verdict, verify::Verdict::pass) << fact.id << " " << label(fact, *row.reading);
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "viewer/frame_pacer.h"
+#include "viewer/app/frame_pacer.h"
 
 namespace pol {
 namespace {

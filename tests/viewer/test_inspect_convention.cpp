@@ -8,7 +8,7 @@
 
 #include "core/units.h"
 #include "polarization/measures.h"
-#include "viewer/convention.h"
+#include "viewer/shown/convention.h"
 
 namespace pol {
 namespace {

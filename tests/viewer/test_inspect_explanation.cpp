@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "support/shipped_scenes.h"
-#include "viewer/session.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 namespace {

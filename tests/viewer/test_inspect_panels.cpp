@@ -11,17 +11,17 @@
 #include <iterator>
 #include <limits>
 
-#include "cli/ray_table.h"
+#include "report/ray_table.h"
 #include "support/shipped_scenes.h"
-#include "verify/pixel_case.h"
+#include "verify/facts/pixel_case.h"
 #include "viewer/known_picture.h"
+#include "viewer/pages/pixel_page.h"
+#include "viewer/pages/reading_text.h"
 #include "viewer/panels/paths_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
 #include "viewer/panels/status_line.h"
-#include "viewer/pixel_export.h"
-#include "viewer/pixel_sheet.h"
-#include "viewer/reading_text.h"
+#include "viewer/session/pixel_export.h"
 #include "viewer/viewer_files.h"
 
 namespace pol {
@@ -126,21 +126,21 @@ TEST_F(Panels, TheRhombsPixelIsThatOfExplain) {
     EXPECT_NEAR(e.sample_light.s0, (1.0 - r) * (1.0 - r) / (1.0 - r * r), 5e-6);
     EXPECT_NEAR(std::abs(e.sample_light.s3), (1.0 - r) * (1.0 - r) / (1.0 + r * r), 5e-6);
 
-    const PixelSheet sheet = make_pixel_sheet(session);
-    for (const SheetGroup& group : sheet.groups) {
+    const PixelPage page = make_pixel_page(session);
+    for (const PageGroup& group : page.groups) {
         if (group.title == "Coherence matrix") continue;  // drawn as a matrix, its bars are in the tooltips
-        for (const SheetRow& row : group.rows) {
+        for (const PageRow& row : group.rows) {
             expect_says(text, row.value);
             expect_says(text, row.bar);
         }
     }
-    const MatrixTexts& matrix = sheet.matrix_texts;
+    const MatrixTexts& matrix = page.matrix_texts;
     for (const std::string& entry : {matrix.xx, matrix.xy, matrix.yx, matrix.yy}) expect_says(text, entry);
     EXPECT_EQ(matrix.xy.substr(0, 4), "0 - ") << "Re J_xy of circular light is 0 beside what is missing: " << matrix.xy;
-    EXPECT_EQ(sheet.stokes, e.sample_light) << "one sample: the picture is the explanation, bit for bit";
-    EXPECT_EQ(sheet.matrix, to_coherence(e.sample_light));
-    const std::string copied = text_of(sheet);
-    for (const double value : {sheet.matrix.xx, sheet.matrix.xy.re, sheet.matrix.xy.im, sheet.stokes.s3, m.dop})
+    EXPECT_EQ(page.stokes, e.sample_light) << "one sample: the picture is the explanation, bit for bit";
+    EXPECT_EQ(page.matrix, to_coherence(e.sample_light));
+    const std::string copied = text_of(page);
+    for (const double value : {page.matrix.xx, page.matrix.xy.re, page.matrix.xy.im, page.stokes.s3, m.dop})
         expect_says(copied, fmt::format("{:.17g}", value));
 }
 
@@ -164,9 +164,9 @@ TEST_F(Panels, TheStatusLineSaysWhatIsKnownOfTheSamplingError) {
 
 TEST_F(Panels, FrameAndConventionRelabelEverything) {
     pin_in(test::small(test::shipped_scene("fresnel-rhomb"), 16), {8, 8});
-    const PixelSheet before = make_pixel_sheet(session);
+    const PixelPage before = make_pixel_page(session);
     session.view.convention.viewpoint = Viewpoint::source;
-    const PixelSheet source = make_pixel_sheet(session);
+    const PixelPage source = make_pixel_page(session);
     EXPECT_EQ(source.stokes.s2, -before.stokes.s2);
     EXPECT_EQ(source.stokes.s3, -before.stokes.s3);
     EXPECT_EQ(source.measures.handedness, -before.measures.handedness);
@@ -175,16 +175,16 @@ TEST_F(Panels, FrameAndConventionRelabelEverything) {
     expect_says(shown(panel), "source's view");
 
     session.view.convention = {};
-    session.sheet.frame = FrameChoice::own_angle;
-    session.sheet.own_angle = 0.3;
-    const PixelSheet turned = make_pixel_sheet(session);
+    session.page.frame = FrameChoice::own_angle;
+    session.page.own_angle = 0.3;
+    const PixelPage turned = make_pixel_page(session);
     const auto expected = rotate_basis(before.stokes, 0.3);
     EXPECT_EQ(turned.stokes, expected);
     EXPECT_EQ(turned.measures.dop, measure(expected).dop);
-    session.sheet.frame = FrameChoice::scene_x;  // the rhomb's camera looks along the x axis
-    expect_says(make_pixel_sheet(session).trouble, "along the ray");
-    session.sheet.frame = FrameChoice::scene_z;  // up in the picture: x lies along the camera's y
-    const PixelSheet z = make_pixel_sheet(session);
+    session.page.frame = FrameChoice::scene_x;  // the rhomb's camera looks along the x axis
+    expect_says(make_pixel_page(session).trouble, "along the ray");
+    session.page.frame = FrameChoice::scene_z;  // up in the picture: x lies along the camera's y
+    const PixelPage z = make_pixel_page(session);
     EXPECT_NEAR(z.stokes.s1, -before.stokes.s1, 1e-12);
     expect_says(z.groups[1].rows[0].exact, ", 1)");
 }
@@ -199,13 +199,13 @@ TEST_F(Panels, BarsAreIntervalsThatNoTruthLeaves) {
     open_picture(session, image);
     session.pin({5, 8});
     session.update();
-    const PixelSheet sheet = make_pixel_sheet(session);
+    const PixelPage page = make_pixel_page(session);
     const auto row = [&](const std::string& name) {
-        for (const SheetGroup& group : sheet.groups)
-            for (const SheetRow& r : group.rows)
+        for (const PageGroup& group : page.groups)
+            for (const PageRow& r : group.rows)
                 if (r.name == name) return r;
         ADD_FAILURE() << name;
-        return SheetRow{};
+        return PageRow{};
     };
     EXPECT_EQ(row("DoP").value, "1");
     EXPECT_EQ(row("DoP").bar, "[0.6, 1]");
@@ -219,7 +219,7 @@ TEST_F(Panels, BarsAreIntervalsThatNoTruthLeaves) {
     EXPECT_EQ(row("S2").bar, "\u00b1 0.13") << "0.125, rounded outwards";
     EXPECT_EQ(row("handedness").value, "not determined");
     EXPECT_EQ(row("handedness").exact, "");
-    const std::string copied = text_of(sheet);
+    const std::string copied = text_of(page);
     expect_says(copied, row("DoP").exact_bar);
     expect_says(copied, "receiver's view, S3 > 0 right");
 }
@@ -281,8 +281,8 @@ TEST_F(Panels, APictureWithoutASceneSaysSo) {
     expect_says(shown(paths), "no scene to trace");
     RayTablePanel rays;
     expect_says(shown(rays), "no scene to trace");
-    session.sheet.frame = FrameChoice::scene_z;
-    expect_says(make_pixel_sheet(session).trouble, "no scene axes");
+    session.page.frame = FrameChoice::scene_z;
+    expect_says(make_pixel_page(session).trouble, "no scene axes");
 }
 
 TEST_F(Panels, PathsAndTableShowTheNumbersOfTheTree) {

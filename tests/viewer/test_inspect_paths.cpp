@@ -7,8 +7,8 @@
 #include "support/lit_trees.h"
 #include "support/shipped_scenes.h"
 #include "tracer/tree_names.h"
-#include "viewer/branch_sheet.h"
-#include "viewer/path_list.h"
+#include "viewer/pages/branch_page.h"
+#include "viewer/pages/path_list.h"
 
 namespace pol {
 namespace {
@@ -189,75 +189,75 @@ TEST(TotalReflection, IsFoundInTheRhombAndNotAtMetal) {
 }
 
 /// What a copy of the row `name` says.
-std::string copied(const SheetGroup& sheet, const std::string& name) {
-    for (const SheetRow& row : sheet.rows)
+std::string copied(const PageGroup& page, const std::string& name) {
+    for (const PageRow& row : page.rows)
         if (row.name == name) return row.exact;
     ADD_FAILURE() << "no row " << name;
     return {};
 }
 
-double number_of(const SheetGroup& sheet, const std::string& name) {
-    return std::stod(copied(sheet, name));
+double number_of(const PageGroup& page, const std::string& name) {
+    return std::stod(copied(page, name));
 }
 
-DVec3 vector_of(const SheetGroup& sheet, const std::string& name) {
+DVec3 vector_of(const PageGroup& page, const std::string& name) {
     DVec3 v(0.0);
-    EXPECT_EQ(std::sscanf(copied(sheet, name).c_str(), "(%lf, %lf, %lf)", &v.x, &v.y, &v.z), 3) << name;
+    EXPECT_EQ(std::sscanf(copied(page, name).c_str(), "(%lf, %lf, %lf)", &v.x, &v.y, &v.z), 3) << name;
     return v;
 }
 
-Complex<double> complex_of(const SheetGroup& sheet, const std::string& name) {
+Complex<double> complex_of(const PageGroup& page, const std::string& name) {
     Complex<double> z;
     char sign = '+';
-    EXPECT_EQ(std::sscanf(copied(sheet, name).c_str(), "%lf %c %lf", &z.re, &sign, &z.im), 3) << name;
+    EXPECT_EQ(std::sscanf(copied(page, name).c_str(), "%lf %c %lf", &z.re, &sign, &z.im), 3) << name;
     if (sign == '-') z.im = -z.im;
     return z;
 }
 
-TEST(BranchSheet, HasTheLightOfTheClosedFormInARightHandedFrame) {
+TEST(BranchPage, HasTheLightOfTheClosedFormInARightHandedFrame) {
     test::for_each_lit_branch(
         [](const Plan& plan, const Explanation& e, int branch, const test::BranchLight& expected) {
-            const SheetGroup sheet = make_branch_sheet(plan, e, branch);
-            const DVec3 e1 = vector_of(sheet, "E1");
-            const DVec3 e2 = vector_of(sheet, "E2");
-            EXPECT_EQ(vector_of(sheet, "E1 x E2"), -vector_of(sheet, "ray"));
-            EXPECT_NEAR(dot(cross(e1, e2), vector_of(sheet, "E1 x E2")), 1.0, test::lit_rounding);
-            const Stokes<double> light{number_of(sheet, "light S0"), number_of(sheet, "light S1"),
-                                       number_of(sheet, "light S2"), number_of(sheet, "light S3")};
+            const PageGroup page = make_branch_page(plan, e, branch);
+            const DVec3 e1 = vector_of(page, "E1");
+            const DVec3 e2 = vector_of(page, "E2");
+            EXPECT_EQ(vector_of(page, "E1 x E2"), -vector_of(page, "ray"));
+            EXPECT_NEAR(dot(cross(e1, e2), vector_of(page, "E1 x E2")), 1.0, test::lit_rounding);
+            const Stokes<double> light{number_of(page, "light S0"), number_of(page, "light S1"),
+                                       number_of(page, "light S2"), number_of(page, "light S3")};
             test::expect_stokes(test::seen_from(light, e1, e2, expected.x), expected.light, test::lit_rounding);
-            const CoherenceMatrix<double> j{number_of(sheet, "light J11"), number_of(sheet, "light J22"),
-                                            complex_of(sheet, "light J12")};
+            const CoherenceMatrix<double> j{number_of(page, "light J11"), number_of(page, "light J22"),
+                                            complex_of(page, "light J12")};
             test::expect_stokes(to_stokes(j), light, test::eps);
-            EXPECT_EQ(copied(sheet, "light in"), "E1, E2: receiver's view, S3 > 0 right, exp(-i\u03c9t)");
+            EXPECT_EQ(copied(page, "light in"), "E1, E2: receiver's view, S3 > 0 right, exp(-i\u03c9t)");
             const double s3 = expected.light.s3;
-            const std::string hand = copied(sheet, "light is");
+            const std::string hand = copied(page, "light is");
             EXPECT_EQ(hand == "right", s3 > 1e-12) << hand;
             EXPECT_EQ(hand == "left", s3 < -1e-12) << hand;
             Throughput<double> m;
-            m.m[0][0] = complex_of(sheet, "M x1");
-            m.m[1][0] = complex_of(sheet, "M y1");
+            m.m[0][0] = complex_of(page, "M x1");
+            m.m[1][0] = complex_of(page, "M y1");
             if (e.tree.nodes[static_cast<std::size_t>(branch)].start.wave.kind == WaveKind::pair) {
-                m.m[0][1] = complex_of(sheet, "M x2");
-                m.m[1][1] = complex_of(sheet, "M y2");
+                m.m[0][1] = complex_of(page, "M x2");
+                m.m[1][1] = complex_of(page, "M y2");
             }
             test::expect_stokes(m.gather(j),
-                                {number_of(sheet, "share S0"), number_of(sheet, "share S1"),
-                                 number_of(sheet, "share S2"), number_of(sheet, "share S3")},
+                                {number_of(page, "share S0"), number_of(page, "share S1"), number_of(page, "share S2"),
+                                 number_of(page, "share S3")},
                                 test::lit_rounding);
         });
 }
 
-TEST(BranchSheet, CallsATotalReflectionAndAnEndAsExplainDoes) {
+TEST(BranchPage, CallsATotalReflectionAndAnEndAsExplainDoes) {
     const Tree rhomb = tree_of("fresnel-rhomb", 0.5, 0.5);
     int total = 0;
     for (int i = 0; i < static_cast<int>(rhomb.explanation->tree.nodes.size()); ++i) {
-        const SheetGroup sheet = make_branch_sheet(*rhomb.plan, *rhomb.explanation, i);
+        const PageGroup page = make_branch_page(*rhomb.plan, *rhomb.explanation, i);
         const std::string word = interaction_of(*rhomb.plan, *rhomb.explanation, i);
-        EXPECT_EQ(copied(sheet, "interaction").substr(0, word.size()), word);
+        EXPECT_EQ(copied(page, "interaction").substr(0, word.size()), word);
         total += word == "totally reflected" ? 1 : 0;
         const auto& reason = rhomb.node(i).reason;
         if (!reason) continue;
-        EXPECT_EQ(copied(sheet, "ended"), name_of(*reason));
+        EXPECT_EQ(copied(page, "ended"), name_of(*reason));
         if (is_not_followed(*reason)) {
             EXPECT_EQ(branch_end(*rhomb.plan, *rhomb.explanation, i), name_of(*reason));
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Histogram and bench, by hand.
+// Histogram and polarimeter, by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 #include "core/units.h"
 #include "known_picture.h"
-#include "viewer/histogram.h"
-#include "viewer/panels/bench_panel.h"
 #include "viewer/panels/histogram_panel.h"
+#include "viewer/panels/polarimeter_panel.h"
+#include "viewer/shown/histogram.h"
 #include "viewer/widgets/dial.h"
 #include "window_without_gl.h"
 
@@ -34,7 +34,7 @@ TEST(Histogram, CountsEveryDefinedValueOnce) {
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
     session.show(Quantity::dop);
-    session.shown_map.finish(*session.current(), session.view, session.bench);
+    session.shown_map.finish(*session.current(), session.view, session.polarimeter);
     const Histogram all = histogram_of(session.shown_map, {0.0, 1.0}, 12);
     EXPECT_EQ(std::accumulate(all.bins.begin(), all.bins.end(), std::size_t{0}), 192u);
     EXPECT_EQ(all.above, 0u) << "the bottom row is fully polarized but for the rounding of the file";
@@ -125,33 +125,33 @@ TEST(Dial, TurnsTheAxisTowardsTheMouse) {
 }
 
 // Each analyzer passes its own state in full and blocks the opposite one.
-TEST(Bench, TheStandardAnalyzersPassTheirState) {
+TEST(Polarimeter, TheStandardAnalyzersPassTheirState) {
     const std::vector<Stokes<double>> states{{1, 1, 0, 0},  {1, -1, 0, 0}, {1, 0, 1, 0},
                                              {1, 0, -1, 0}, {1, 0, 0, 1},  {1, 0, 0, -1}};
     ASSERT_EQ(standard_analyzers().size(), states.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
-        const MuellerMatrix<double> train = standard_analyzers()[i].bench.mueller();
+        const MuellerMatrix<double> train = standard_analyzers()[i].polarimeter.mueller();
         EXPECT_EQ(standard_analyzers()[i].passes, states[i]);
         EXPECT_NEAR((train * states[i]).s0, 1.0, 1e-12) << i;
         EXPECT_NEAR((train * states[i ^ 1U]).s0, 0.0, 1e-12) << i;
     }
 }
 
-TEST(BenchPanel, ShowsTheMuellerMatrixOfTheTrain) {
+TEST(PolarimeterPanel, ShowsTheMuellerMatrixOfTheTrain) {
     WindowWithoutGl window;
     ASSERT_NO_FATAL_FAILURE(open_picture(window.session, known_picture()));
-    EXPECT_NE(window.text_of([&] { draw_bench_panel(window.session); }).find("The light arrives as it is."),
+    EXPECT_NE(window.text_of([&] { draw_polarimeter_panel(window.session); }).find("The light arrives as it is."),
               std::string::npos);
-    window.session.bench.elements.push_back({BenchElementKind::polarizer, true, 0.0, 0.0});
-    const std::string text = window.text_of([&] { draw_bench_panel(window.session); });
+    window.session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, 0.0, 0.0});
+    const std::string text = window.text_of([&] { draw_polarimeter_panel(window.session); });
     EXPECT_NE(text.find("polarizer"), std::string::npos);
     EXPECT_NE(text.find("0.500"), std::string::npos) << text;
     // At 30 degrees from image right S2 of what it passes is sin(60 degrees)/2 = 0.433, seen from the source its
     // opposite.
-    window.session.bench.elements[0].axis = radians(30.0);
-    EXPECT_EQ(window.text_of([&] { draw_bench_panel(window.session); }).find("-0.433"), std::string::npos);
+    window.session.polarimeter.elements[0].axis = radians(30.0);
+    EXPECT_EQ(window.text_of([&] { draw_polarimeter_panel(window.session); }).find("-0.433"), std::string::npos);
     window.session.view.convention.viewpoint = Viewpoint::source;
-    EXPECT_NE(window.text_of([&] { draw_bench_panel(window.session); }).find("-0.433"), std::string::npos);
+    EXPECT_NE(window.text_of([&] { draw_polarimeter_panel(window.session); }).find("-0.433"), std::string::npos);
 }
 
 }  // namespace

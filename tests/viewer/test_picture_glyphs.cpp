@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 #include "known_picture.h"
-#include "viewer/glyphs.h"
+#include "viewer/shown/glyphs.h"
 
 namespace pol {
 namespace {
@@ -20,8 +20,8 @@ StokesImage flat_picture(const Stokes<double>& light, int width = 8, int height 
     return image;
 }
 
-std::vector<Glyph> glyphs_in(const StokesImage& image, int cell, const Bench& bench = {}) {
-    return glyphs_of(ShownPicture(image, bench), 0, cell, {0, 0, image.width, image.height});
+std::vector<Glyph> glyphs_in(const StokesImage& image, int cell, const Polarimeter& polarimeter = {}) {
+    return glyphs_of(ShownPicture(image, polarimeter), 0, cell, {0, 0, image.width, image.height});
 }
 
 // The field of a right-handed state is (cos, -sin) in x and y up: on screen, where y runs down, it turns clockwise.
@@ -98,10 +98,10 @@ TEST(Glyphs, AreHiddenWhereTheyMeanNothing) {
     EXPECT_TRUE(glyphs_in(uncertain, 4).empty()) << "more light missing than polarized";
 }
 
-TEST(Glyphs, StandBehindTheBench) {
-    Bench bench;
-    bench.elements.push_back({BenchElementKind::polarizer, true, radians(45.0), 0.0});
-    const auto glyphs = glyphs_in(flat_picture({1.0, 0.0, 0.0, 0.0}), 8, bench);
+TEST(Glyphs, StandBehindThePolarimeter) {
+    Polarimeter polarimeter;
+    polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, radians(45.0), 0.0});
+    const auto glyphs = glyphs_in(flat_picture({1.0, 0.0, 0.0, 0.0}), 8, polarimeter);
     ASSERT_EQ(glyphs.size(), 1u);
     EXPECT_NEAR(degrees(glyphs[0].azimuth), 45.0, 1e-9);
 }

@@ -6,8 +6,8 @@
 
 #include "known_picture.h"
 #include "maps/evaluate.h"
-#include "viewer/map_look.h"
-#include "viewer/shown_map.h"
+#include "viewer/session/map_look.h"
+#include "viewer/shown/shown_map.h"
 
 namespace pol {
 namespace {
@@ -21,7 +21,7 @@ TEST(ShownMap, HasTheValuesOfEvaluate) {
     for (const QuantityInfo& about : quantities()) {
         if (about.quantity == Quantity::color) continue;
         session.show(about.quantity);
-        session.shown_map.finish(document, session.view, session.bench);
+        session.shown_map.finish(document, session.view, session.polarimeter);
         ASSERT_TRUE(session.shown_map.complete());
         const auto map = evaluate(document.picture(), about.quantity, 0);
         ASSERT_TRUE(map);
@@ -38,7 +38,7 @@ TEST(ShownMap, HasTheValuesOfEvaluate) {
     }
 }
 
-TEST(ShownMap, IsMadeInSlicesAndFollowsMapAndBench) {
+TEST(ShownMap, IsMadeInSlicesAndFollowsMapAndPolarimeter) {
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
     session.show(Quantity::dop);
@@ -46,19 +46,19 @@ TEST(ShownMap, IsMadeInSlicesAndFollowsMapAndBench) {
     ShownMap map;
     int slices = 0;
     while (!map.complete() || slices == 0) {
-        map.update(document, session.view, session.bench, 0.0, false);
+        map.update(document, session.view, session.polarimeter, 0.0, false);
         ASSERT_LE(++slices, 12);
     }
     EXPECT_EQ(slices, 12) << "a row per slice";
     EXPECT_NEAR(map.summary().high, 1.0, 1e-6);
     const std::uint64_t version = map.version();
-    EXPECT_FALSE(map.update(document, session.view, session.bench, 1.0, false));
+    EXPECT_FALSE(map.update(document, session.view, session.polarimeter, 1.0, false));
     EXPECT_EQ(map.version(), version) << "nothing changed";
 
-    session.bench.elements.push_back({});
-    map.update(document, session.view, session.bench, 0.0, false);
+    session.polarimeter.elements.push_back({});
+    map.update(document, session.view, session.polarimeter, 0.0, false);
     EXPECT_FALSE(map.complete());
-    map.finish(document, session.view, session.bench);
+    map.finish(document, session.view, session.polarimeter);
     EXPECT_NEAR(map.summary().low, 1.0, 1e-12) << "behind a polarizer all light is polarized";
 }
 
@@ -106,7 +106,7 @@ TEST(MapLook, TakesItsRangeFromTheUserElseFromTheQuantityElseFromTheData) {
     image.residual[7] = 0.25;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
     session.show(Quantity::residual);
-    session.shown_map.finish(*session.current(), session.view, session.bench);
+    session.shown_map.finish(*session.current(), session.view, session.polarimeter);
     EXPECT_EQ(map_look(session).range.high, 0.25);
     session.view.range[static_cast<std::size_t>(Quantity::residual)] = MapRange{0.1, 0.2};
     EXPECT_EQ(map_look(session).range.low, 0.1);

@@ -6,13 +6,13 @@
 #include "known_picture.h"
 #include "maps/evaluate.h"
 #include "plan/camera_model.h"
-#include "viewer/camera_moves.h"
-#include "viewer/map_look.h"
+#include "viewer/pages/pixel_page.h"
+#include "viewer/pages/reading_text.h"
+#include "viewer/panels/color_bar.h"
 #include "viewer/panels/hover_readout.h"
-#include "viewer/pixel_sheet.h"
-#include "viewer/reading_text.h"
+#include "viewer/session/map_look.h"
+#include "viewer/space/camera_moves.h"
 #include "viewer/viewer_files.h"
-#include "viewer/widgets/color_bar.h"
 #include "window_without_gl.h"
 
 namespace pol {
@@ -125,7 +125,7 @@ TEST_F(PicturePanelTest, HoverIsLabeledInTheShownConvention) {
     window.session.view.convention.viewpoint = Viewpoint::source;
     text = hover();
     EXPECT_NEAR(s3_in(text.substr(0, text.find("source"))), s3, 5e-4) << text;
-    window.session.sheet.frame = FrameChoice::own_angle;
+    window.session.page.frame = FrameChoice::own_angle;
     EXPECT_NE(hover().find("camera frame"), std::string::npos) << "the inspector has another one";
 }
 
@@ -152,18 +152,18 @@ TEST_F(PicturePanelTest, TheColorBarNamesTheSignsOfTheShownConvention) {
 // x is right for who looks: from behind the picture it points to its left.
 TEST_F(PicturePanelTest, TheAxesAtThePinAreThoseOfTheShownFrameAndConvention) {
     window.session.pin({3, 7});
-    window.session.sheet.frame = FrameChoice::own_angle;
-    window.session.sheet.own_angle = radians(30.0);
+    window.session.page.frame = FrameChoice::own_angle;
+    window.session.page.own_angle = radians(30.0);
     for (const Viewpoint viewpoint : {Viewpoint::receiver, Viewpoint::source}) {
         window.session.view.convention.viewpoint = viewpoint;
-        const SheetAxes axes = sheet_axes(window.session);
+        const PageAxes axes = page_axes(window.session);
         const double right = viewpoint == Viewpoint::receiver ? 1.0 : -1.0;
         EXPECT_NEAR(axes.x.x, right * std::cos(radians(30.0)), 1e-15);
         EXPECT_NEAR(axes.x.y, -right * 0.5, 1e-15) << "up on screen is negative y";
         EXPECT_NEAR(axes.y.x, -0.5, 1e-15);
         EXPECT_NEAR(axes.y.y, -std::cos(radians(30.0)), 1e-15);
-        // Light along the x axis, as the sheet writes it, lies along the arrow.
-        const double psi = make_pixel_sheet(window.session).measures.azimuth;
+        // Light along the x axis, as the page writes it, lies along the arrow.
+        const double psi = make_pixel_page(window.session).measures.azimuth;
         const DVec2 along = std::cos(psi) * axes.x + std::sin(psi) * axes.y;
         const double on_picture =
             measure(window.session.current()->picture().at(0, window.session.current()->picture().pixel(3, 7))).azimuth;
@@ -184,7 +184,7 @@ TEST_F(PicturePanelTest, HoverCountsThePixelsOfTheWholePicture) {
 
 TEST_F(PicturePanelTest, TheLegendCountsPixelsWithoutAValue) {
     window.session.show(Quantity::azimuth);
-    window.session.shown_map.finish(*window.session.current(), window.session.view, window.session.bench);
+    window.session.shown_map.finish(*window.session.current(), window.session.view, window.session.polarimeter);
     ColorBar bar;
     const std::string text = window.text_of([&] { bar.draw(window.session, 300.0F); });
     EXPECT_NE(text.find("undefined 8.3 %"), std::string::npos) << "the top row of 12 is unpolarized\n" << text;
@@ -351,7 +351,7 @@ TEST(MapLook, TheBarOfThePhotographIsMovedByExposureAndOffset) {
     EXPECT_NEAR(session.view.offset, -0.2, 1e-12);
     EXPECT_NEAR(bar_range(session).low, 0.1, 1e-12);
     EXPECT_NEAR(bar_range(session).high, 0.6, 1e-12);
-    session.shown_map.finish(*session.current(), session.view, session.bench);
+    session.shown_map.finish(*session.current(), session.view, session.polarimeter);
     fit_bar_range(session);
     EXPECT_NEAR(bar_range(session).high - bar_range(session).low, 0.5, 1e-12) << "a flat picture keeps its range";
     set_bar_range(session, {0.6, 0.1});

@@ -7,8 +7,8 @@
 #include "core/units.h"
 #include "known_picture.h"
 #include "maps/color_picture.h"
-#include "viewer/pixel_reading.h"
-#include "viewer/reading_text.h"
+#include "viewer/pages/pixel_reading.h"
+#include "viewer/pages/reading_text.h"
 
 namespace pol {
 namespace {
@@ -66,10 +66,10 @@ TEST(PixelReading, GivesEveryValueItsBar) {
     }
 }
 
-TEST(PixelReading, StandsBehindTheBench) {
+TEST(PixelReading, StandsBehindThePolarimeter) {
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
-    session.bench.elements.push_back({BenchElementKind::polarizer, true, radians(30.0), 0.0});
+    session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, radians(30.0), 0.0});
     const PixelReading reading = read_pixel(session, {5, 6});
     EXPECT_NEAR(reading.quantity(Quantity::dop, 0).pixel.value, 1.0, 1e-12);
     EXPECT_NEAR(reading.quantity(Quantity::azimuth, 0).pixel.value, 30.0, 1e-9);
@@ -83,8 +83,8 @@ TEST(PixelReading, SeesNoLightBehindCrossedPolarizers) {
         if (!says_brightest) image.brightest.clear();
         Session session;
         ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
-        session.bench.elements.push_back({BenchElementKind::polarizer, true, radians(30.0), 0.0});
-        session.bench.elements.push_back({BenchElementKind::polarizer, true, radians(120.0), 0.0});
+        session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, radians(30.0), 0.0});
+        session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, radians(120.0), 0.0});
         const QuantityReading value = read_pixel(session, {5, 6}).quantity(Quantity::dop, 0);
         EXPECT_EQ(value.pixel.state, PixelState::no_light) << says_brightest;
         EXPECT_EQ(reading_text(Quantity::dop, value), "no light");

@@ -8,14 +8,14 @@
 #include <limits>
 #include <random>
 
-#include "io/exr_file.h"
+#include "io/pictures/exr_file.h"
 #include "maps/colorize.h"
 #include "maps/difference.h"
 #include "support/egl_context.h"
 #include "viewer/gl/gl.h"
-#include "viewer/map_look.h"
-#include "viewer/picture_renderer.h"
-#include "viewer/shown_picture.h"
+#include "viewer/picture/picture_renderer.h"
+#include "viewer/session/map_look.h"
+#include "viewer/shown/shown_picture.h"
 
 namespace pol {
 namespace {
@@ -223,19 +223,19 @@ TEST_F(Picture, MinusAReferenceShowsASinglePixelThatDiffersHoweverSmallItIsDrawn
     }
 }
 
-TEST_F(Picture, EqualsTheColoredMapOfTheLightBehindTheBench) {
-    session_.bench.elements = {{BenchElementKind::retarder, true, 0.4, 1.3},
-                               {BenchElementKind::polarizer, true, 1.1, 0.0}};
-    StokesImage behind_bench = film();
-    const ShownPicture shown(film(), session_.bench);
+TEST_F(Picture, EqualsTheColoredMapOfTheLightBehindThePolarimeter) {
+    session_.polarimeter.elements = {{PolarimeterElementKind::retarder, true, 0.4, 1.3},
+                                     {PolarimeterElementKind::polarizer, true, 1.1, 0.0}};
+    StokesImage behind_polarimeter = film();
+    const ShownPicture shown(film(), session_.polarimeter);
     for (std::size_t w = 0; w < 3; ++w) {
         for (std::size_t i = 0; i < film().pixel_count(); ++i)
-            behind_bench.stokes[w * film().pixel_count() + i] = shown.stokes(w, i);
+            behind_polarimeter.stokes[w * film().pixel_count() + i] = shown.stokes(w, i);
     }
     for (const QuantityInfo& about : quantities()) {
         SCOPED_TRACE(about.name);
         session_.show(about.quantity);
-        expect_same(drawn_at_1_to_1(), expected_of(behind_bench, session_.view));
+        expect_same(drawn_at_1_to_1(), expected_of(behind_polarimeter, session_.view));
     }
 }
 
@@ -246,8 +246,8 @@ TEST_F(Picture, ShowsNoLightBehindACrossedAnalyzer) {
     linear.residual.assign(linear.residual.size(), 0.0);
     linear.tail.assign(linear.tail.size(), 0.0);
     open(linear);
-    session_.bench.elements = {{BenchElementKind::polarizer, true, 0.0, 0.0},
-                               {BenchElementKind::polarizer, true, std::acos(0.0), 0.0}};
+    session_.polarimeter.elements = {{PolarimeterElementKind::polarizer, true, 0.0, 0.0},
+                                     {PolarimeterElementKind::polarizer, true, std::acos(0.0), 0.0}};
     session_.show(Quantity::dop);
     const RgbPicture picture = drawn_at_1_to_1();
     EXPECT_EQ(picture.pixels[100], (Rgb8{0, 0, 0}));

@@ -7,8 +7,8 @@
 #include "core/units.h"
 #include "known_picture.h"
 #include "support/lit_trees.h"
+#include "viewer/pages/sphere_view.h"
 #include "viewer/panels/sphere_panel.h"
-#include "viewer/sphere_view.h"
 #include "window_without_gl.h"
 
 namespace pol {
@@ -150,11 +150,12 @@ TEST(SpherePanel, ALassoMarksPixelsOfThePicture) {
 TEST(Sphere, ALeafIsWhereItsShareOfThePixelIs) {
     test::for_each_lit_branch([](const Plan&, const Explanation& e, int branch, const test::BranchLight& expected) {
         if (branch != 0) return;
-        const std::vector<SpherePoint> points = sphere_points(e, Bench{}, Convention{}, 100);
+        const std::vector<SpherePoint> points = sphere_points(e, Polarimeter{}, Convention{}, 100);
         if (expected.light.s0 < 1e-12) return;  // a share of rounding is somewhere on the sphere
         ASSERT_EQ(points.size(), 1U);
         EXPECT_TRUE(e.tree.nodes[static_cast<std::size_t>(*points[0].node)].brings_light());
-        const auto mirrored = sphere_points(e, Bench{}, Convention{Viewpoint::source, PositiveS3::right, {}}, 100);
+        const auto mirrored =
+            sphere_points(e, Polarimeter{}, Convention{Viewpoint::source, PositiveS3::right, {}}, 100);
         EXPECT_EQ(mirrored[0].place, points[0].place * DVec3(1.0, -1.0, -1.0)) << "S2 and S3 as the source sees them";
         const Stokes<double> in_pixel = test::seen_from({1.0, points[0].place.x, points[0].place.y, points[0].place.z},
                                                         e.task.ray.x, e.task.ray.y, expected.x);

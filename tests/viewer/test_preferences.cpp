@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "viewer/preferences.h"
+#include "viewer/session/preferences.h"
 #include "viewer/viewer_files.h"
 
 namespace pol {

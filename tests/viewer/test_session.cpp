@@ -4,21 +4,21 @@
 #include <cmath>
 
 #include "support/render_scene.h"
-#include "viewer/bench.h"
-#include "viewer/session.h"
-#include "viewer/view_transform.h"
+#include "viewer/session/session.h"
+#include "viewer/shown/polarimeter.h"
+#include "viewer/shown/view_transform.h"
 #include "viewer/viewer_files.h"
 
 namespace pol {
 namespace {
 
 // Malus: a polarizer at theta passes cos^2 theta of light that is linear along x (physics.md T13).
-TEST(Bench, APolarizerPassesCosineSquaredOfLinearLight) {
+TEST(Polarimeter, APolarizerPassesCosineSquaredOfLinearLight) {
     for (int degree = 0; degree <= 180; degree += 15) {
         const double theta = degree * 3.141592653589793 / 180.0;
-        Bench bench;
-        bench.elements.push_back({BenchElementKind::polarizer, true, theta, 0.0});
-        const Stokes<double> out = bench.mueller() * Stokes<double>{1.0, 1.0, 0.0, 0.0};
+        Polarimeter polarimeter;
+        polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, theta, 0.0});
+        const Stokes<double> out = polarimeter.mueller() * Stokes<double>{1.0, 1.0, 0.0, 0.0};
         EXPECT_NEAR(out.s0, std::pow(std::cos(theta), 2), 4e-16) << degree;
     }
 }

@@ -9,10 +9,10 @@
 #include "maps/error_bars.h"
 #include "polarization/bounds.h"
 #include "support/egl_context.h"
-#include "viewer/gl/float_texture.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/render_target.h"
 #include "viewer/gl/shader_sources.h"
+#include "viewer/picture/float_texture.h"
 
 namespace pol {
 namespace {

@@ -26,11 +26,11 @@
 #include <vector>
 
 #include "support/egl_context.h"
-#include "viewer/commands.h"
+#include "viewer/commands/commands.h"
 #include "viewer/gl/gl.h"
 #include "viewer/injected_input.h"
-#include "viewer/interface.h"
-#include "viewer/picture_renderer.h"
+#include "viewer/panels/interface.h"
+#include "viewer/picture/picture_renderer.h"
 #include "viewer/widgets/fonts.h"
 #include "viewer/widgets/widget_map.h"
 

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "geometry/shapes.h"
-#include "io/scene_file.h"
+#include "io/scenes/scene_file.h"
 #include "plan/compile.h"
 #include "support/lit_trees.h"
-#include "viewer/space_paths.h"
-#include "viewer/space_view.h"
-#include "viewer/space_wireframe.h"
+#include "viewer/space/space_paths.h"
+#include "viewer/space/space_view.h"
+#include "viewer/space/space_wireframe.h"
 
 namespace pol {
 namespace {

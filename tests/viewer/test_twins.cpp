@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "io/scene_file.h"
-#include "io/scene_hash.h"
+#include "io/scenes/scene_file.h"
+#include "io/scenes/scene_hash.h"
 #include "support/render_scene.h"
-#include "viewer/twins.h"
+#include "viewer/shown/twins.h"
 
 namespace pol {
 namespace {

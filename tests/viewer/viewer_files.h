@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "viewer/document.h"
+#include "viewer/document/document.h"
 
 namespace pol::test {
 

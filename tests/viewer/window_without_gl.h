@@ -12,7 +12,7 @@
 #include <string>
 
 #include "viewer/injected_input.h"
-#include "viewer/interface.h"
+#include "viewer/panels/interface.h"
 
 namespace pol {
 

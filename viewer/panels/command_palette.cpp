@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/commands.h"
+#include "viewer/commands/commands.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {

@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "viewer/fact_sheet.h"
+#include "viewer/pages/fact_page.h"
+#include "viewer/pages/reading_text.h"
 #include "viewer/panels/tree_state.h"
-#include "viewer/reading_text.h"
 #include "viewer/widgets/copyable.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/tracers_convention.h"
@@ -59,22 +59,22 @@ void draw_row(const FactRow& row, const ThemeColors& color) {
 }  // namespace
 
 void draw_fact_panel(Session& session) {
-    const FactSheet sheet = make_fact_sheet(session);
-    ImGui::TextWrapped("%s  %s", sheet.fact->id.c_str(), sheet.fact->sentence.c_str());
-    dim_text("Source: " + sheet.fact->source);
-    if (!sheet.view->name.empty()) ImGui::TextWrapped("This view: %s", sheet.view->name.c_str());
+    const FactPage page = make_fact_page(session);
+    ImGui::TextWrapped("%s  %s", page.fact->id.c_str(), page.fact->sentence.c_str());
+    dim_text("Source: " + page.fact->source);
+    if (!page.view->name.empty()) ImGui::TextWrapped("This view: %s", page.view->name.c_str());
 
-    if (!sheet.pinned) {
-        ImGui::TextWrapped("The fact is about pixel %d,%d.", sheet.view->x, sheet.view->y);
+    if (!page.pinned) {
+        ImGui::TextWrapped("The fact is about pixel %d,%d.", page.view->x, page.view->y);
         if (ImGui::Button("Pin it")) session.pin_fact();
         name_widget("button Pin it");
-    } else if (!sheet.trouble.empty()) {
-        ImGui::TextColored(colors(session.window.theme).error, "%s", sheet.trouble.c_str());
+    } else if (!page.trouble.empty()) {
+        ImGui::TextColored(colors(session.window.theme).error, "%s", page.trouble.c_str());
     } else {
         draw_tree_state(session);
     }
     say_tracers_convention(session.view.convention);
-    for (const FactRow& row : sheet.rows) {
+    for (const FactRow& row : page.rows) {
         ImGui::PushID(row.reading);
         draw_row(row, colors(session.window.theme));
         ImGui::PopID();

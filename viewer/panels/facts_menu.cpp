@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/fact.h"
+#include "verify/facts/fact.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 

@@ -62,9 +62,10 @@ void GlyphOverlay::draw(const Session& session, const ViewRect& viewport, const 
                         session.view.wavelength,
                         glyph_cell(settings, session.transform.scale),
                         {seen.x0, seen.y0, seen.x1, seen.y1},
-                        session.bench};
+                        session.polarimeter};
     if (!(source == source_)) {
-        glyphs_ = glyphs_of(ShownPicture(document.picture(), session.bench), source.wavelength, source.cell, seen);
+        glyphs_ =
+            glyphs_of(ShownPicture(document.picture(), session.polarimeter), source.wavelength, source.cell, seen);
         source_ = source;
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "viewer/frame.h"
-#include "viewer/glyphs.h"
-#include "viewer/session.h"
+#include "viewer/session/session.h"
+#include "viewer/shown/glyphs.h"
+#include "viewer/widgets/frame.h"
 
 namespace pol {
 
@@ -26,7 +26,7 @@ private:
         std::size_t wavelength = 0;
         int cell = 0;
         std::array<int, 4> seen{};
-        Bench bench;
+        Polarimeter polarimeter;
         friend bool operator==(const Source&, const Source&) = default;
     };
     Source source_;

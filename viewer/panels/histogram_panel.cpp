@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/map_look.h"
-#include "viewer/reading_text.h"
+#include "viewer/pages/reading_text.h"
+#include "viewer/session/map_look.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 

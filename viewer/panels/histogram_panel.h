@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "viewer/histogram.h"
-#include "viewer/session.h"
+#include "viewer/session/session.h"
+#include "viewer/shown/histogram.h"
 
 namespace pol {
 

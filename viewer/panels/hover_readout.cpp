@@ -9,8 +9,8 @@
 #include <string>
 
 #include "maps/error_bars.h"
-#include "viewer/pixel_reading.h"
-#include "viewer/reading_text.h"
+#include "viewer/pages/pixel_reading.h"
+#include "viewer/pages/reading_text.h"
 
 namespace pol {
 
@@ -21,12 +21,13 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
     const StokesImage& picture = session.current()->picture();
     const std::string place = fmt::format("x {}  y {}{}", picture.left + reading.address.x,
                                           picture.top + reading.address.y, is_pinned ? " (pinned)" : "");
-    const std::string bench = session.bench.empty() ? "" : "  behind the bench";
+    const std::string polarimeter = session.polarimeter.empty() ? "" : "  behind the polarimeter";
     if (quantity == Quantity::color) {
         const double size =
             std::max({std::abs(reading.color[0]), std::abs(reading.color[1]), std::abs(reading.color[2])});
         return fmt::format("{}  linear sRGB {}  {}  {}{}", place, short_number(reading.color[0], 4, size),
-                           short_number(reading.color[1], 4, size), short_number(reading.color[2], 4, size), bench);
+                           short_number(reading.color[1], 4, size), short_number(reading.color[2], 4, size),
+                           polarimeter);
     }
     const double nm = reading.wavelengths[session.view.wavelength].wavelength_nm;
     if (session.comparison()) {
@@ -34,10 +35,11 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
         const std::size_t pixel = session.current()->picture().pixel(reading.address.x, reading.address.y);
         return fmt::format("{}  {} {} minus {}: {}  {:.6g} nm{}", place, info(quantity).title,
                            value_text(quantity, both.own(pixel), 6), value_text(quantity, both.of_reference(pixel), 6),
-                           reading_text(quantity, both.reading(pixel)), nm, bench);
+                           reading_text(quantity, both.reading(pixel)), nm, polarimeter);
     }
     const QuantityReading value = reading.quantity(quantity, session.view.wavelength);
-    return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, reading_text(quantity, value), nm, bench);
+    return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, reading_text(quantity, value), nm,
+                       polarimeter);
 }
 
 std::string second_line(const Session& session, const PixelReading& reading) {
@@ -56,7 +58,7 @@ std::string second_line(const Session& session, const PixelReading& reading) {
     if (reading.failures && *reading.failures > 0) text += fmt::format("  failed {}", *reading.failures);
     if (session.view.convention != Convention{}) text += "  " + session.view.convention.stokes_text();
     // The inspector may write the same light in another frame.
-    if (session.sheet.frame != FrameChoice::camera) text += "  camera frame";
+    if (session.page.frame != FrameChoice::camera) text += "  camera frame";
     return text;
 }
 

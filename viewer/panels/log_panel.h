@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "viewer/session.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

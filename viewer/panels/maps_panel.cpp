@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "viewer/commands.h"
+#include "viewer/commands/commands.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/commands.h"
+#include "viewer/commands/commands.h"
 #include "viewer/panels/facts_menu.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/widgets/widget_map.h"

@@ -58,7 +58,7 @@ void OpenDialog::draw(Session& session) {
         ImGui::OpenPopup(name);
     }
     bool wanted = false;
-    if (!begin_path_sheet(name, visible, typed_, "scene.yaml or picture.exr", "Open", was_refused_, wanted)) return;
+    if (!begin_path_page(name, visible, typed_, "scene.yaml or picture.exr", "Open", was_refused_, wanted)) return;
     if (typed_ != looked_for_) look();
 
     ImGui::BeginChild("files", {0.0F, 18.0F * ImGui::GetFontSize()});
@@ -83,7 +83,7 @@ void OpenDialog::draw(Session& session) {
         }
     }
     was_refused_ = wanted && visible;
-    end_path_sheet(visible, refused_, colors(session.window.theme).error);
+    end_path_page(visible, refused_, colors(session.window.theme).error);
 }
 
 }  // namespace pol

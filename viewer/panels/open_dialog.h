@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/session.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

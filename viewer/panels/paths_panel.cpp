@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <string>
 
-#include "viewer/branch_sheet.h"
+#include "viewer/pages/branch_page.h"
+#include "viewer/pages/reading_text.h"
 #include "viewer/panels/tree_state.h"
-#include "viewer/reading_text.h"
 #include "viewer/widgets/copyable.h"
 #include "viewer/widgets/tracers_convention.h"
 #include "viewer/widgets/widget_map.h"
@@ -163,13 +163,13 @@ void PathsPanel::draw(Session& session) {
     const float least = 8.0F * ImGui::GetTextLineHeightWithSpacing();
     draw_rows(session, std::max(least, ImGui::GetContentRegionAvail().y - below));
     if (!session.selection.node) return;
-    const SheetGroup sheet = make_branch_sheet(*session.current()->plan(), *explanation, *session.selection.node);
-    ImGui::TextUnformatted(sheet.title.c_str());
+    const PageGroup page = make_branch_page(*session.current()->plan(), *explanation, *session.selection.node);
+    ImGui::TextUnformatted(page.title.c_str());
     say_tracers_convention(session.view.convention);
     if (!ImGui::BeginTable("branch", 2)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    for (const SheetRow& row : sheet.rows) {
+    for (const PageRow& row : page.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row.name.c_str());

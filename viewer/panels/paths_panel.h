@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "viewer/path_list.h"
-#include "viewer/session.h"
+#include "viewer/pages/path_list.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "maps/color_picture.h"
-#include "viewer/pixel_sheet.h"
-#include "viewer/reading_text.h"
-#include "viewer/shown_quantity.h"
+#include "viewer/pages/pixel_page.h"
+#include "viewer/pages/reading_text.h"
+#include "viewer/shown/shown_quantity.h"
 #include "viewer/widgets/ink.h"
 
 namespace pol {
@@ -109,7 +109,7 @@ void draw_region(const Session& session, const ViewRect& viewport, ImDrawList& l
 }
 
 /// Axes of the frame that the pixel's state is written in.
-void draw_frame(const DVec2& center, double clear, const SheetAxes& axes, ImDrawList& list) {
+void draw_frame(const DVec2& center, double clear, const PageAxes& axes, ImDrawList& list) {
     constexpr double length = 26.0;
     const auto draw_axis = [&](const DVec2& along, ImU32 color, const std::string& name) {
         rimmed_arrow(list, point(center + clear * along), point(center + (clear + length) * along), color);
@@ -148,7 +148,7 @@ void draw_pins(const Session& session, const ViewRect& viewport, ImDrawList& lis
         list.AddRect(point(center - corner), point(center + corner), color, 0.0F, 0, 1.5F);
         if (selection.pins.size() > 1)
             rimmed_text(list, point(center + DVec2(half + 2.0, half - 4.0)), color, std::to_string(i + 1));
-        if (is_current) draw_frame(center, half + 1.0, sheet_axes(session), list);
+        if (is_current) draw_frame(center, half + 1.0, page_axes(session), list);
     }
 }
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "viewer/frame.h"
 #include "viewer/panels/glyph_overlay.h"
-#include "viewer/session.h"
-#include "viewer/view_transform.h"
+#include "viewer/session/session.h"
+#include "viewer/shown/view_transform.h"
+#include "viewer/widgets/frame.h"
 
 namespace pol {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/camera_moves.h"
-#include "viewer/map_look.h"
 #include "viewer/panels/hover_readout.h"
+#include "viewer/session/map_look.h"
+#include "viewer/space/camera_moves.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "viewer/frame.h"
+#include "viewer/panels/color_bar.h"
 #include "viewer/panels/picture_overlay.h"
-#include "viewer/session.h"
-#include "viewer/widgets/color_bar.h"
+#include "viewer/session/session.h"
+#include "viewer/widgets/frame.h"
 
 namespace pol {
 

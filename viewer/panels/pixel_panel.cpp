@@ -6,12 +6,12 @@
 #include <string>
 
 #include "core/units.h"
-#include "viewer/pixel_export.h"
-#include "viewer/pixel_sheet.h"
-#include "viewer/reading_text.h"
+#include "viewer/pages/pixel_page.h"
+#include "viewer/pages/reading_text.h"
+#include "viewer/panels/spectrum_plot.h"
+#include "viewer/session/pixel_export.h"
 #include "viewer/widgets/copyable.h"
 #include "viewer/widgets/polarization_ellipse.h"
-#include "viewer/widgets/spectrum_plot.h"
 
 namespace pol {
 
@@ -49,7 +49,7 @@ void draw_pins(Session& session) {
     if (chosen) session.pin(*chosen);
 }
 
-void draw_frame_choice(SheetSettings& settings) {
+void draw_frame_choice(PageSettings& settings) {
     constexpr const char* frames[] = {"camera", "scene x axis", "scene y axis", "scene z axis", "own angle"};
     choose("Frame", settings.frame, frames, 5, "Axes that matrix, Stokes vector and azimuth are written in");
     if (settings.frame == FrameChoice::own_angle) {
@@ -72,10 +72,10 @@ void draw_convention_choice(Convention& convention) {
     choose("Time", convention.time_sign, times, 2, "The other sign conjugates the matrix; Stokes vectors stay");
 }
 
-void draw_matrix(const PixelSheet& sheet) {
-    const CoherenceMatrix<double>& j = sheet.matrix;
-    const MatrixTexts& texts = sheet.matrix_texts;
-    const auto& rows = sheet.groups.front().rows;
+void draw_matrix(const PixelPage& page) {
+    const CoherenceMatrix<double>& j = page.matrix;
+    const MatrixTexts& texts = page.matrix_texts;
+    const auto& rows = page.groups.front().rows;
     if (!ImGui::BeginTable("matrix", 3, ImGuiTableFlags_BordersOuter | ImGuiTableFlags_BordersInner)) return;
     ImGui::TableSetupColumn("J", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("x", ImGuiTableColumnFlags_WidthStretch);
@@ -87,7 +87,7 @@ void draw_matrix(const PixelSheet& sheet) {
     };
     const std::string parts = ": " + rows[1].bar + " in the real part, " + rows[2].bar + " in the imaginary";
     const std::string bars = rows[1].bar.empty() ? "" : parts;
-    const auto bar_of = [](const SheetRow& row) { return row.bar.empty() ? "" : ": " + row.bar; };
+    const auto bar_of = [](const PageRow& row) { return row.bar.empty() ? "" : ": " + row.bar; };
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("x");
     cell("xx", texts.xx, rows[0].exact, "J_xx = <E_x E_x*>" + bar_of(rows[0]));
@@ -99,13 +99,13 @@ void draw_matrix(const PixelSheet& sheet) {
     ImGui::EndTable();
 }
 
-void draw_group(const SheetGroup& group, bool doubted) {
+void draw_group(const PageGroup& group, bool doubted) {
     if (!ImGui::CollapsingHeader(group.title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (!ImGui::BeginTable(group.title.c_str(), 3)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("bar", ImGuiTableColumnFlags_WidthFixed);
-    for (const SheetRow& row : group.rows) {
+    for (const PageRow& row : group.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row.name.c_str());
@@ -125,7 +125,7 @@ void draw_group(const SheetGroup& group, bool doubted) {
 void draw_curves(Session& session) {
     const std::vector<double>& wavelengths = session.current()->picture().wavelengths_nm;
     if (wavelengths.size() < 2 || !ImGui::CollapsingHeader("Over wavelength", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    for (const SheetCurve& curve : spectrum_curves(session))
+    for (const PageCurve& curve : spectrum_curves(session))
         if (const auto clicked =
                 draw_spectrum_plot(curve, wavelengths, session.view.wavelength, ImGui::GetFontSize() * 4.0F))
             session.view.wavelength = *clicked;
@@ -140,11 +140,11 @@ void PixelPanel::draw(Session& session) {
         return;
     }
     draw_pins(session);
-    const PixelSheet sheet = make_pixel_sheet(session);
-    ImGui::Text("Pixel %d,%d at %s nm%s", sheet.pixel.x, sheet.pixel.y, short_number(sheet.wavelength_nm, 7).c_str(),
-                session.bench.empty() ? "" : ", behind the bench");
-    if (sheet.from_tree) ImGui::TextDisabled("not rendered yet: one sample, from its tree");
-    if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(text_of(sheet).c_str());
+    const PixelPage page = make_pixel_page(session);
+    ImGui::Text("Pixel %d,%d at %s nm%s", page.pixel.x, page.pixel.y, short_number(page.wavelength_nm, 7).c_str(),
+                session.polarimeter.empty() ? "" : ", behind the polarimeter");
+    if (page.from_tree) ImGui::TextDisabled("not rendered yet: one sample, from its tree");
+    if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(text_of(page).c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("All numbers of this page at full precision, as text");
     ImGui::SameLine();
     const bool can_be_case = session.explanation() != nullptr;
@@ -154,17 +154,17 @@ void PixelPanel::draw(Session& session) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("Scene, pixel and matrix as a file that polariscope explain --case checks again");
 
-    draw_matrix(sheet);
-    draw_frame_choice(session.sheet);
-    if (!sheet.trouble.empty()) ImGui::TextWrapped("%s", sheet.trouble.c_str());
-    ImGui::TextDisabled("%s", sheet.convention.c_str());
+    draw_matrix(page);
+    draw_frame_choice(session.page);
+    if (!page.trouble.empty()) ImGui::TextWrapped("%s", page.trouble.c_str());
+    ImGui::TextDisabled("%s", page.convention.c_str());
     if (ImGui::TreeNode("Convention")) {
         draw_convention_choice(session.view.convention);
         ImGui::TreePop();
     }
-    draw_polarization_ellipse(sheet.seen, ImGui::GetFontSize() * 10.0F);
+    draw_polarization_ellipse(page.seen, ImGui::GetFontSize() * 10.0F);
     const bool doubted = session.current()->has_scene() && !session.current()->plan()->features.doubts.empty();
-    for (std::size_t i = 1; i < sheet.groups.size(); ++i) draw_group(sheet.groups[i], doubted);
+    for (std::size_t i = 1; i < page.groups.size(); ++i) draw_group(page.groups[i], doubted);
     draw_curves(session);
 }
 

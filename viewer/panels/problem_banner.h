@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "viewer/frame.h"
-#include "viewer/session.h"
+#include "viewer/session/session.h"
+#include "viewer/widgets/frame.h"
 
 namespace pol {
 

@@ -9,9 +9,9 @@
 #include <numeric>
 #include <string>
 
+#include "viewer/pages/reading_text.h"
 #include "viewer/panels/tree_state.h"
-#include "viewer/pixel_export.h"
-#include "viewer/reading_text.h"
+#include "viewer/session/pixel_export.h"
 #include "viewer/widgets/tracers_convention.h"
 #include "viewer/widgets/widget_map.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "cli/ray_table.h"
-#include "viewer/session.h"
+#include "report/ray_table.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

@@ -44,10 +44,10 @@ void SaveAsDialog::draw(Session& session) {
     }
     // Enter takes the keyboard from the entry; a refused name is to be corrected.
     bool wanted = false;
-    if (!begin_path_sheet(name, visible, typed_, "scene.yaml", "Save", was_refused_, wanted)) return;
+    if (!begin_path_page(name, visible, typed_, "scene.yaml", "Save", was_refused_, wanted)) return;
     if (wanted) save(session);
     was_refused_ = wanted && visible;
-    end_path_sheet(visible, complaint_, colors(session.window.theme).warning);
+    end_path_page(visible, complaint_, colors(session.window.theme).warning);
 }
 
 }  // namespace pol

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "viewer/session.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "viewer/command_actions.h"
+#include "viewer/commands/command_actions.h"
 #include "viewer/panels/scene_sections.h"
 #include "viewer/widgets/section.h"
 #include "viewer/widgets/theme.h"

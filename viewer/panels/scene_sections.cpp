@@ -12,8 +12,8 @@
 
 #include "core/number_text.h"
 #include "core/units.h"
-#include "io/assets.h"
-#include "io/index_file.h"
+#include "io/files/assets.h"
+#include "io/scenes/index_file.h"
 #include "spectrum/wavelength_grid.h"
 #include "viewer/widgets/widget_map.h"
 

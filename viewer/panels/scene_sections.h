@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "viewer/widgets/edit_form.h"
+#include "viewer/panels/edit_form.h"
 
 namespace pol {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "viewer/branch_sheet.h"
+#include "viewer/pages/branch_page.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {

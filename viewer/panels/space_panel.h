@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/session.h"
-#include "viewer/space_paths.h"
-#include "viewer/space_view.h"
-#include "viewer/space_wireframe.h"
+#include "viewer/session/session.h"
+#include "viewer/space/space_paths.h"
+#include "viewer/space/space_view.h"
+#include "viewer/space/space_wireframe.h"
 
 namespace pol {
 

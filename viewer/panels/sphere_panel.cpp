@@ -11,7 +11,7 @@
 
 #include "core/units.h"
 #include "maps/color_scale.h"
-#include "viewer/reading_text.h"
+#include "viewer/pages/reading_text.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -161,7 +161,7 @@ std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
         return found;
     }
     const auto explanation = session.explanation();
-    return explanation ? sphere_points(*explanation, session.bench, session.view.convention, most_points) : found;
+    return explanation ? sphere_points(*explanation, session.polarimeter, session.view.convention, most_points) : found;
 }
 
 void SpherePanel::handle_mouse(Session& session, const DVec2& center, double radius) {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/session.h"
-#include "viewer/sphere_view.h"
+#include "viewer/pages/sphere_view.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

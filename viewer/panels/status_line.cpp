@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "cli/report.h"
+#include "report/number_words.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
 

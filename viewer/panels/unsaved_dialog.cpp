@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "viewer/command_actions.h"
+#include "viewer/commands/command_actions.h"
 #include "viewer/widgets/widget_map.h"
 
 namespace pol {

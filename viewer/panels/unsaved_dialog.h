@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "viewer/session.h"
+#include "viewer/session/session.h"
 
 namespace pol {
 

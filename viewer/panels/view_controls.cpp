@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <string>
 
-#include "viewer/glyphs.h"
-#include "viewer/map_look.h"
+#include "viewer/session/map_look.h"
+#include "viewer/shown/glyphs.h"
 #include "viewer/widgets/ink.h"
 
 namespace pol {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "io/assets.h"
+#include "io/files/assets.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/widgets/fonts.h"
 #include "viewer/widgets/theme.h"

@@ -16,8 +16,8 @@ std::filesystem::path typed_path(const std::string& typed) {
     return typed;
 }
 
-bool begin_path_sheet(const char* title, bool& visible, std::string& typed, const char* hint, const char* button,
-                      bool focus, bool& wanted) {
+bool begin_path_page(const char* title, bool& visible, std::string& typed, const char* hint, const char* button,
+                     bool focus, bool& wanted) {
     const float em = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5F * display.x, 0.15F * display.y}, ImGuiCond_Always, {0.5F, 0.0F});
@@ -29,11 +29,11 @@ bool begin_path_sheet(const char* title, bool& visible, std::string& typed, cons
     wanted = ImGui::InputTextWithHint("##path", hint, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     wanted |= ImGui::Button(button, {-1.0F, 0.0F});
-    name_widget(std::string("sheet ") + button);
+    name_widget(std::string("entry ") + button);
     return true;
 }
 
-void end_path_sheet(bool& visible, const std::string& complaint, const ImVec4& color) {
+void end_path_page(bool& visible, const std::string& complaint, const ImVec4& color) {
     if (!complaint.empty()) {
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextColored(color, "%s", complaint.c_str());

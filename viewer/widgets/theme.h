@@ -4,15 +4,14 @@
 
 #include <imgui.h>
 
-#include "viewer/log.h"
-#include "viewer/window_state.h"
+#include "viewer/shown/appearance.h"
 
 namespace pol {
 
 /// sRGB, 0 to 1. Texts reach a contrast of 4.5 (WCAG 2.1, AA) on every ground they stand on.
 struct ThemeColors {
     ImVec4 window;       ///< ground of panels
-    ImVec4 popup;        ///< ground of menus, tooltips and sheets
+    ImVec4 popup;        ///< ground of menus, tooltips and overlays
     ImVec4 field;        ///< ground of entries, sliders, buttons
     ImVec4 field_hover;  ///< under the cursor
     ImVec4 field_active;

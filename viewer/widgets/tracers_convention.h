@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "viewer/convention.h"
+#include "viewer/shown/convention.h"
 
 namespace pol {
 

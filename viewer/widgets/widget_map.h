@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "viewer/frame.h"
+#include "viewer/widgets/frame.h"
 
 namespace pol {
 

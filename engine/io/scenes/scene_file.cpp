@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scenes/scene_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "io/files/assets.h"
+#include "io/files/yaml_value.h"
+#include "io/scenes/scene_reader.h"
+#include "scene/check.h"
+#include "spectrum/wavelength_grid.h"
+
+namespace pol {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A scene is written by hand; more than this is another kind of file.
+constexpr std::uintmax_t max_scene_bytes = 16 << 20;
+
+Error file_error(const fs::path& path, std::string what, std::string hint) {
+    return {ErrorKind::input, std::move(what), {path.string(), 0, 0}, {}, std::move(hint)};
+}
+
+/// Everything that reading one scene and its includes shares.
+struct Reading {
+    Scene scene;
+    std::map<std::string, Place> places;
+    fs::path assets;
+    std::vector<fs::path> chain;  ///< canonical paths of the files being read, outermost first
+};
+
+Camera read_camera(const YamlValue& value) {
+    const YamlMap map = value.map({"type", "position", "target", "up", "fov", "width"});
+    Camera camera;
+    camera.place = value.place();
+    camera.position = map.at("position").vec3();
+    camera.target = map.at("target").vec3();
+    const auto up = map.find("up");
+    camera.up = up ? up->vec3() : DVec3(0.0, 0.0, 1.0);
+    const auto type = map.find("type");
+    if (type && type->choice({"perspective", "orthographic"}) == "orthographic") {
+        camera.projection = Projection::orthographic;
+        if (map.has("fov")) map.at("fov").fail("an orthographic camera has no field of view", "write width instead");
+        camera.width = map.at("width").number();
+    } else {
+        if (map.has("width")) map.at("width").fail("a perspective camera has no width", "write fov instead");
+        camera.horizontal_fov = map.at("fov").angle();
+    }
+    return camera;
+}
+
+std::vector<double> read_wavelengths(const YamlValue& value) {
+    if (value.is_list()) return value.numbers();
+    if (value.looks_like_number()) return {value.number()};
+    Result<std::vector<double>> grid = parse_wavelengths(value.is_scalar() ? value.text() : std::string());
+    if (!grid) value.fail(grid.error().what, grid.error().hint);
+    return std::move(grid).value();
+}
+
+RenderSettings read_render(const YamlValue& value) {
+    const YamlMap map =
+        value.map({"size", "wavelengths", "mode", "spp", "residual", "depth", "node_budget", "seed", "unpolarized"});
+    RenderSettings render;
+    if (const auto size = map.find("size")) {
+        const std::vector<YamlValue> sides = size->list();
+        if (sides.size() != 2) size->fail("expected two whole numbers", "write [width, height] in pixels");
+        render.width = sides[0].whole();
+        render.height = sides[1].whole();
+    }
+    if (const auto wavelengths = map.find("wavelengths")) render.wavelengths_nm = read_wavelengths(*wavelengths);
+    if (const auto mode = map.find("mode")) {
+        render.mode = mode->choice({"point", "area"}) == "area" ? SampleMode::area : SampleMode::point;
+    }
+    if (const auto spp = map.find("spp")) render.samples_per_pixel = spp->whole();
+    if (const auto depth = map.find("depth")) render.cut_by_depth_alone(depth->whole());
+    if (const auto residual = map.find("residual")) render.residual = residual->number();
+    if (const auto budget = map.find("node_budget")) render.node_budget = budget->whole();
+    if (const auto seed = map.find("seed")) render.seed = seed->natural64();
+    if (const auto unpolarized = map.find("unpolarized")) render.unpolarized = unpolarized->truth();
+    return render;
+}
+
+double read_unit(const YamlValue& value) {
+    if (value.looks_like_number()) return value.number();
+    const std::string unit = value.choice({"nm", "um", "mm", "cm", "m"});
+    return unit == "nm" ? 1.0 : unit == "um" ? 1e3 : unit == "mm" ? 1e6 : unit == "cm" ? 1e7 : 1e9;
+}
+
+void read_include(Reading& reading, const YamlValue& value, const AssetFolders& folders);
+
+/// Media and objects of one file, then those of its includes.
+void read_contents(Reading& reading, const YamlMap& map, const fs::path& folder) {
+    const AssetFolders folders{folder, reading.assets};
+    if (const auto media = map.find("media")) {
+        for (const auto& [name, value] : media->entries()) {
+            reading.scene.media.push_back(read_medium(name, value, folders));
+        }
+    }
+    if (const auto objects = map.find("objects")) {
+        const std::size_t first = reading.scene.objects.size();
+        for (const YamlValue& value : objects->list(first)) {
+            reading.scene.objects.push_back(read_object(value, folders));
+        }
+    }
+    if (const auto include = map.find("include")) {
+        for (const YamlValue& file : include->list()) read_include(reading, file, folders);
+    }
+}
+
+std::string chain_text(const std::vector<fs::path>& chain, const fs::path& last) {
+    std::string text;
+    for (const fs::path& path : chain) text += path.filename().string() + " -> ";
+    return text + last.filename().string();
+}
+
+void read_include(Reading& reading, const YamlValue& value, const AssetFolders& folders) {
+    const fs::path path = find_asset(value, folders, "scenes");
+    const fs::path canonical = fs::canonical(path);
+    if (std::find(reading.chain.begin(), reading.chain.end(), canonical) != reading.chain.end()) {
+        value.fail("the file includes itself: " + chain_text(reading.chain, canonical), "remove this include");
+    }
+    const Result<std::string> text = read_scene_text(path);
+    if (!text) value.fail(text.error().what, text.error().hint);
+
+    const YamlFile file{path.string(), static_cast<int>(reading.scene.files.size()), &reading.places};
+    reading.scene.files.push_back(file.name);
+    reading.chain.push_back(canonical);
+    read_contents(reading, yaml_document(text.value(), file).map({"include", "media", "objects"}), path.parent_path());
+    reading.chain.pop_back();
+}
+
+/// Place of the value that `field` names, or of the nearest value that contains it.
+Place place_of_field(const std::map<std::string, Place>& places, std::string field) {
+    while (true) {
+        const auto found = places.find(field);
+        if (found != places.end()) return found->second;
+        const std::size_t end = field.find_last_of(".[");
+        if (end == std::string::npos) return {};
+        field.resize(end);
+    }
+}
+
+Scene read_scene(Reading& reading, const std::string& text, const std::string& file_name, const fs::path& base_dir) {
+    const YamlFile file{file_name, 0, &reading.places};
+    reading.scene.files = {file_name};
+    std::error_code error;
+    const fs::path canonical = fs::canonical(file_name, error);
+    reading.chain = {error ? fs::path(file_name) : canonical};
+
+    const YamlMap map =
+        yaml_document(text, file)
+            .map({"title", "unit", "include", "camera", "render", "background", "ambient", "media", "objects"});
+    Scene& scene = reading.scene;
+    if (const auto title = map.find("title")) scene.title = title->text();
+    if (const auto unit = map.find("unit")) scene.unit_nm = read_unit(*unit);
+    scene.camera = read_camera(map.at("camera"));
+    if (const auto render = map.find("render")) scene.render = read_render(*render);
+    if (const auto background = map.find("background")) {
+        scene.background = {read_spectrum(*background), background->place()};
+    }
+    if (const auto ambient = map.find("ambient")) scene.ambient = ambient->text();
+    static_cast<void>(map.at("objects"));
+    read_contents(reading, map, base_dir);
+
+    if (std::optional<Error> problem = first_problem(scene)) {
+        const Place place = place_of_field(reading.places, problem->field);
+        if (place.line > 0) problem->place = place;
+        if (problem->place.file.empty()) problem->place.file = file_name;
+        throw YamlComplaint{*problem};
+    }
+    return std::move(scene);
+}
+
+}  // namespace
+
+Result<std::string> read_scene_text(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) return file_error(path, "there is no such file", "check the path of the scene");
+    if (fs::is_directory(status)) return file_error(path, "is a directory", "name a scene file such as scene.yaml");
+    if (!fs::is_regular_file(status)) return file_error(path, "is not a regular file", "name a scene file");
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (!error && size > max_scene_bytes) {
+        return file_error(path, "is larger than 16 MiB, too large for a scene", "is this a mesh or a picture?");
+    }
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) return file_error(path, "cannot be opened", "check that you may read it");
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (stream.bad()) return file_error(path, "cannot be read", "check the disk");
+    return text;
+}
+
+Result<Scene> parse_scene(const std::string& text, const std::string& file_name, const fs::path& base_dir) {
+    Reading reading;
+    try {
+        reading.assets = assets_dir();
+        return read_scene(reading, text, file_name, base_dir);
+    } catch (const YamlComplaint& complaint) {
+        return complaint.error;
+    } catch (const std::exception& error) {
+        return file_error(file_name, std::string("cannot be read as a scene: ") + error.what(),
+                          "assets/scenes/README.md shows the format");
+    }
+}
+
+Result<Scene> load_scene(const fs::path& path) {
+    const Result<std::string> text = read_scene_text(path);
+    if (!text) return text.error();
+    return parse_scene(text.value(), path.string(), path.parent_path());
+}
+
+}  // namespace pol

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The results of the stiffness suite as plots and as one page that can be mailed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/plot_svg.h"
+#include "verify/degenerate/degenerate_case.h"
+
+namespace pol::verify {
+
+/// Error, condition and limit over the knob; stiffer settings to the right.
+Plot degenerate_plot(const DegenerateResult& result);
+
+/// "1e-01 .. 1e-16, 0".
+std::string range_text(const DegenerateCase& degenerate_case);
+
+/// Verdicts, the untested rows and all plots as a part of a page, and as a self-contained page.
+std::string degenerate_section(const std::vector<DegenerateResult>& results);
+std::string degenerate_page(const std::vector<DegenerateResult>& results);
+
+}  // namespace pol::verify

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/invariants/image_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "polarization/measures.h"
+
+namespace pol::verify {
+
+namespace {
+
+/// From so many pixels on a pattern of signs is worth a remark.
+constexpr std::size_t enough = 100;
+
+bool is_finite(const Stokes<double>& s) {
+    return std::isfinite(s.s0) && std::isfinite(s.s1) && std::isfinite(s.s2) && std::isfinite(s.s3);
+}
+
+/// Counts one kind of defect and keeps the pixel where `badness` is largest.
+class Counter {
+public:
+    explicit Counter(std::string name) : defect_{std::move(name), {}, 0, {}} {}
+    void add(const PixelValue& at, const char* value_name, double badness) {
+        ++defect_.count;
+        if (defect_.worst && !(badness > badness_)) return;
+        badness_ = badness;
+        defect_.value_name = value_name;
+        defect_.worst = at;
+    }
+    [[nodiscard]] const ImageDefect& defect() const { return defect_; }
+
+private:
+    ImageDefect defect_;
+    double badness_ = 0.0;
+};
+
+struct NamedPart {
+    const char* name;
+    double value;
+};
+NamedPart first_not_finite(const Stokes<double>& s) {
+    for (const NamedPart& part : {NamedPart{"S0", s.s0}, {"S1", s.s1}, {"S2", s.s2}})
+        if (!std::isfinite(part.value)) return part;
+    return {"S3", s.s3};
+}
+
+std::vector<ImageDefect> find_defects(const StokesImage& image) {
+    const double allowed = excess_of(image.stored.rounding());
+    Counter not_finite("not a number or infinite");
+    Counter negative("negative S0");
+    Counter polarized(fmt::format("more polarized than {}-bit rounding allows", image.stored.bits));
+    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w)
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                const Stokes<double>& s = image.at(w, image.pixel(x, y));
+                PixelValue at{image.left + x, image.top + y, image.wavelengths_nm[w], s.s0};
+                const double length = polarized_part(s);
+                if (!is_finite(s)) {
+                    const NamedPart part = first_not_finite(s);
+                    at.value = part.value;
+                    not_finite.add(at, part.name, 0.0);
+                } else if (s.s0 < 0.0) {
+                    negative.add(at, "S0", -s.s0);
+                } else if (length > s.s0 * (1.0 + allowed) + 2.0 * image.stored.step()) {
+                    at.value = s.s0 > 0.0 ? length / s.s0 - 1.0 : std::numeric_limits<double>::infinity();
+                    polarized.add(at, "|s|/S0 - 1", at.value);
+                }
+            }
+    return {not_finite.defect(), negative.defect(), polarized.defect()};
+}
+
+DopStatistics dop_statistics(const StokesImage& image) {
+    DopStatistics out;
+    std::vector<double> dops;
+    double sum = 0.0;
+    for (const Stokes<double>& s : image.stokes) {
+        if (!is_finite(s) || s.s0 < 0.0) continue;
+        if (s.s0 == 0.0) {
+            ++out.dark;
+            continue;
+        }
+        dops.push_back(polarized_part(s) / s.s0);
+        sum += dops.back();
+    }
+    out.lit = dops.size();
+    if (dops.empty()) return out;
+    std::sort(dops.begin(), dops.end());
+    const auto rank = [&](double share) {
+        return dops[static_cast<std::size_t>(std::lround(share * static_cast<double>(dops.size() - 1)))];
+    };
+    out.mean = sum / static_cast<double>(dops.size());
+    out.least = dops.front();
+    out.percentile_1 = rank(0.01);
+    out.median = rank(0.5);
+    out.percentile_99 = rank(0.99);
+    out.most = dops.back();
+    return out;
+}
+
+/// Signs of S1, S2 or S3 over the picture, noise below the rounding of S0 left out.
+struct Signs {
+    std::size_t positive = 0;
+    std::size_t negative = 0;
+    std::size_t nonzero = 0;  ///< noise included
+};
+
+/// What the way a picture was stored has to do with light that is more than fully polarized; empty: there is none.
+std::string origin_of_excess(const StoredNumbers& stored, const ImageReport& report) {
+    const ImageDefect& excess = report.defects.back();
+    if (excess.count == 0 && report.dop.most <= 1.0 + float_excess) return {};
+    if (!stored.lossy.empty())
+        return fmt::format("of some percent may come from {}, a lossy compression: write ZIP or PIZ", stored.lossy);
+    const double allowed = excess_of(stored.rounding());
+    if (stored.bits == 24)
+        return fmt::format("up to {:.2g} comes from PXR24, which keeps 24 bits of a number: write ZIP or PIZ", allowed);
+    if (stored.bits == 16) return fmt::format("up to {:.2g} comes from 16-bit floats: write 32-bit floats", allowed);
+    if (excess.worst && excess.worst->value <= half_excess)
+        return "is what 16-bit floats make: were the numbers rounded to them before they were written?";
+    return {};
+}
+
+std::vector<std::string> find_oddities(const StokesImage& image, const ImageReport& report) {
+    std::vector<std::string> remarks;
+    const std::array<double Stokes<double>::*, 3> components{&Stokes<double>::s1, &Stokes<double>::s2,
+                                                             &Stokes<double>::s3};
+    const double noise = excess_of(image.stored.rounding());
+    std::array<Signs, 3> signs{};
+    for (const Stokes<double>& s : image.stokes) {
+        if (!is_finite(s)) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double value = s.*components[i];
+            if (value != 0.0) ++signs[i].nonzero;
+            if (value > noise * s.s0) ++signs[i].positive;
+            if (value < -noise * s.s0) ++signs[i].negative;
+        }
+    }
+    if (report.dop.lit == 0) remarks.emplace_back("no pixel has any light");
+    const std::size_t polarized = signs[0].nonzero + signs[1].nonzero + signs[2].nonzero;
+    if (report.dop.lit > 0 && polarized == 0)
+        remarks.emplace_back("S1, S2 and S3 are exactly 0 everywhere: was polarization traced?");
+    const std::array<const char*, 3> absent{
+        "S1 is exactly 0 everywhere, S2 or S3 is not: is a channel missing, or the frame at 45 degrees?",
+        "S2 is exactly 0 everywhere, S1 or S3 is not: right if everything lies along the picture's axes",
+        "S3 is exactly 0 everywhere: right without total reflection, metal, retarders and circular light"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (polarized > 0 && signs[i].nonzero == 0) remarks.emplace_back(absent[i]);
+        const std::size_t seen = signs[i].positive + signs[i].negative;
+        if (seen >= enough && (signs[i].positive == 0 || signs[i].negative == 0))
+            remarks.push_back(
+                fmt::format("S{} is {} wherever it is not 0 ({} values): right for some scenes, wrong signs in others",
+                            i + 1, signs[i].positive > 0 ? "positive" : "negative", seen));
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = i + 1; j < 3; ++j) {
+            const bool same = std::all_of(image.stokes.begin(), image.stokes.end(), [&](const Stokes<double>& s) {
+                return s.*components[i] == s.*components[j];
+            });
+            if (same && signs[i].nonzero >= enough)
+                remarks.push_back(fmt::format("S{} and S{} are the same everywhere: is one a copy?", i + 1, j + 1));
+        }
+    if (report.dop.lit >= enough && report.dop.least > 1.0 - 1e-6) remarks.emplace_back("all light is fully polarized");
+    if (const std::string origin = origin_of_excess(image.stored, report); !origin.empty())
+        remarks.push_back("an excess of |s| over S0 " + origin);
+    return remarks;
+}
+
+}  // namespace
+
+bool ImageReport::physical() const {
+    return std::all_of(defects.begin(), defects.end(), [](const ImageDefect& d) { return d.count == 0; });
+}
+
+ImageReport check_image(const StokesImage& image) {
+    ImageReport report;
+    report.defects = find_defects(image);
+    report.dop = dop_statistics(image);
+    report.remarks = find_oddities(image, report);
+    return report;
+}
+
+}  // namespace pol::verify

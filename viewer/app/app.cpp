@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/app/app.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <optional>
+#include <string>
+
+#include "io/pictures/png_file.h"
+#include "viewer/app/app_probe.h"
+#include "viewer/app/app_window.h"
+#include "viewer/app/frame_pacer.h"
+#include "viewer/panels/interface.h"
+#include "viewer/picture/picture_renderer.h"
+#include "viewer/session/preferences.h"
+
+namespace pol {
+
+namespace {
+
+/// Signals that the event loop asks for instead of being interrupted by: no handler, nothing global.
+class PendingSignals {
+public:
+    /// Before any thread starts, so that all inherit it.
+    explicit PendingSignals(bool with_probe) {
+        sigemptyset(&set_);
+        sigaddset(&set_, SIGTERM);
+        sigaddset(&set_, SIGINT);
+        if (with_probe) sigaddset(&set_, SIGUSR1);
+        sigprocmask(SIG_BLOCK, &set_, nullptr);
+    }
+    /// A signal that has come since the last call, or nothing.
+    [[nodiscard]] std::optional<int> next() const {
+        constexpr timespec at_once{0, 0};
+        const int signal = sigtimedwait(&set_, nullptr, &at_once);
+        return signal > 0 ? std::optional(signal) : std::nullopt;
+    }
+
+private:
+    sigset_t set_{};
+};
+
+/// What makes a frame worth drawing when neither the user nor a worker said so (a watched file, an export's end).
+struct Shown {
+    const Document* document = nullptr;
+    std::uint64_t version = 0;
+    std::size_t messages = 0;
+    friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+Shown shown(const Session& session) {
+    const Document* document = session.current();
+    return {document, document == nullptr ? 0 : document->picture_version(), session.log.lines().size()};
+}
+
+bool is_tracing(const Session& session) {
+    const Document* document = session.current();
+    return document != nullptr && document->tracing();
+}
+
+class EventLoop {
+public:
+    EventLoop(WindowLibrary& library, AppWindow& window, Session& session, PictureRenderer& picture, AppProbe* probe)
+        : library_(library), window_(window), session_(session), picture_(picture), probe_(probe) {}
+
+    void run(const PendingSignals& signals) {
+        while (session_.window.quit != Quit::confirmed) {
+            library_.wait(pacer_.wait(library_.now()).value_or(longest_sleep_s));
+            while (const auto signal = signals.next()) obey(*signal);
+            note_what_happened();
+            const auto due = pacer_.wait(library_.now());
+            if (due && *due <= 0.0) draw();
+        }
+    }
+
+private:
+    /// Signals and watched files are looked at so often while nothing happens.
+    static constexpr double longest_sleep_s = 0.25;
+    static constexpr double cursor_blink_s = 0.4;
+    static constexpr double export_progress_s = 0.2;
+
+    void obey(int signal) {
+        if (signal != SIGUSR1) {
+            session_.window.quit = Quit::confirmed;
+        } else if (probe_ != nullptr) {
+            probe_->ask();
+            pacer_.animate(library_.now(), 0.0);
+        }
+    }
+
+    void note_what_happened() {
+        const double now = library_.now();
+        pacer_.set_tracing(is_tracing(session_));
+        if (window_.take_input()) {
+            pacer_.input(now);
+            if (!input_at_) input_at_ = now;
+        }
+        if (library_.woken()) {
+            pacer_.news();
+        } else if (!pacer_.wait(now)) {
+            const Shown before = shown(session_);
+            session_.update();
+            if (shown(session_) != before) pacer_.input(now);
+        }
+    }
+
+    void draw() {
+        const double start = library_.now();
+        library_.clear_wake();
+        session_.update();
+        picture_.upload(session_);
+        // Asked for in a frame before this one, whose menu was still open.
+        const std::filesystem::path wanted = std::exchange(session_.window.picture_of_window, {});
+        Frame frame;
+        frame.ui_scale = window_.begin_frame();
+        frame.picture_texture = texture_;
+        // A test asks for what follows from all that it has done.
+        AppProbe* asked = window_.input_waits() ? nullptr : probe_;
+        if (asked != nullptr) asked->begin();
+        interface_.draw(session_, frame);
+        if (asked != nullptr) asked->end(session_, frame.viewport);
+        ImGui::Render();
+        const double ratio = window_.pixel_ratio();
+        const auto pixels = [ratio](double points) { return std::max(1, static_cast<int>(points * ratio)); };
+        texture_ = picture_.render(session_, pixels(frame.viewport.size.x), pixels(frame.viewport.size.y), ratio);
+        window_.follow(session_);
+        if (wanted.empty())
+            window_.end_frame();
+        else
+            window_.end_frame([&](RgbPicture picture) {
+                session_.exports.start("PNG of the window", wanted,
+                                       [picture = std::move(picture), wanted](ExportProgress& /*progress*/) {
+                                           return write_png(picture, wanted);
+                                       });
+            });
+        const double end = library_.now();
+        pacer_.drawn(start, end);
+        if (window_.input_waits()) pacer_.input(end);
+        if (ImGui::GetIO().WantTextInput) frame.again(cursor_blink_s);
+        if (!session_.exports.idle()) frame.again(export_progress_s);
+        if (frame.redraw_in < 1e9) pacer_.animate(end, frame.redraw_in);
+        if (probe_ != nullptr) probe_->note_frame(end - start, input_at_ ? end - *input_at_ : 0.0);
+        input_at_.reset();
+    }
+
+    WindowLibrary& library_;
+    AppWindow& window_;
+    Session& session_;
+    PictureRenderer& picture_;
+    AppProbe* probe_;
+    Interface interface_;
+    FramePacer pacer_;
+    std::uint32_t texture_ = 0;
+    std::optional<double> input_at_;  // first input that no frame has answered yet
+};
+
+/// Opens what can be opened and says on stderr what cannot. Error: nothing could.
+Result<Done> open_all(Session& session, const std::vector<std::filesystem::path>& files) {
+    for (const auto& file : files)
+        if (!session.open(file)) std::fprintf(stderr, "polariscope: %s\n", session.log.lines().back().text.c_str());
+    if (!files.empty() && session.documents().empty())
+        return Error{ErrorKind::input, "there is nothing to show", {}, {}, "see the messages above"};
+    return Done{};
+}
+
+}  // namespace
+
+Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppOptions& options) {
+    const PendingSignals signals(!options.probe.empty());
+    auto library = WindowLibrary::start();
+    if (!library) return library.error();
+    Session session([&library] { library.value()->wake(); });
+    // A run that is watched by a test starts and leaves things as they are.
+    const std::filesystem::path remembered = options.probe.empty() ? preferences_path() : std::filesystem::path();
+    if (const auto preferences = read_preferences(remembered))
+        apply(preferences.value(), session);
+    else
+        session.log.add(Severity::warning, to_string(preferences.error()));
+    session.window.theme = options.theme.value_or(session.window.theme);
+    session.window.ui_scale = options.ui_scale.value_or(session.window.ui_scale);
+    if (const auto opened = open_all(session, files); !opened) return opened.error();
+    auto window = AppWindow::open(session, options);
+    if (!window) return window.error();
+    auto picture = PictureRenderer::create();
+    if (!picture) return picture.error();
+    std::optional<AppProbe> probe;
+    if (!options.probe.empty()) probe.emplace(options.probe);
+    EventLoop(*library.value(), *window.value(), session, *picture.value(), probe ? &*probe : nullptr).run(signals);
+    if (remembered.empty()) return Done{};
+    // Nothing of the user's work: no reason to fail.
+    if (const auto written = write_preferences(preferences_of(session), remembered); !written)
+        std::fprintf(stderr, "polariscope: the window's settings are not remembered: %s\n",
+                     to_string(written.error()).c_str());
+    return Done{};
+}
+
+}  // namespace pol

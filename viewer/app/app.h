@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window itself: GLFW, OpenGL, the ImGui backends, the event loop. Everything else is in Session and Interface.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/result.h"
+#include "viewer/session/window_state.h"
+
+namespace pol {
+
+struct AppOptions {
+    int width = 1280;
+    int height = 800;
+    std::optional<Theme> theme;
+    std::optional<double> ui_scale;  ///< instead of the screen's
+    /// Where to write what the window shows at every SIGUSR1 (app_probe.h); empty: nowhere.
+    std::filesystem::path probe;
+};
+
+/// Opens the window with these files and runs until the user, SIGTERM or SIGINT ends it. What cannot be opened is said
+/// on stderr. Error (kind usage): there is no display, or no OpenGL 3.3; (kind input): files were named, and none of
+/// them can be opened.
+Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppOptions& options);
+
+}  // namespace pol

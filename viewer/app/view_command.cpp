@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/app/view_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "cli/messages.h"
+#include "viewer/app/app.h"
+#include "viewer/commands/commands.h"
+
+namespace pol {
+
+namespace {
+
+struct ViewRequest {
+    std::vector<std::string> files;
+    std::string size = "1280x800";
+    AppOptions options;
+};
+
+/// "1280x800" as width and height; CLI11's message if it is not.
+std::string check_size(const std::string& text) {
+    int width = 0;
+    int height = 0;
+    char rest = 0;
+    constexpr int least = 320;
+    constexpr int most = 16384;
+    const bool read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
+    return read && std::min(width, height) >= least && std::max(width, height) <= most
+               ? std::string()
+               : "'" + text + "' is no size of a window: WIDTHxHEIGHT, 320 to 16384, as in 1280x800";
+}
+
+/// The message if `text` is no folder that can be written to.
+std::string check_folder(const std::string& text) {
+    std::error_code failed;
+    if (!std::filesystem::is_directory(text, failed)) return "there is no folder '" + text + "': make it first";
+    if (::access(text.c_str(), W_OK | X_OK) != 0) return "the folder '" + text + "' cannot be written to";
+    return {};
+}
+
+/// All keys, from the table that the window itself goes by.
+std::string keys_text() {
+    std::string text = "Keys:\n";
+    for (const Command& command : commands()) {
+        std::string keys = name_of(command.chord);
+        if (keys.empty()) continue;
+        if (command.also.key != Key::none) keys += ", " + name_of(command.also);
+        constexpr std::size_t column = 16;
+        keys.resize(std::max(column, keys.size() + 1), ' ');
+        text += "  " + keys + std::string(command.title) + '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, int& exit_code) {
+    auto request = std::make_shared<ViewRequest>();
+    CLI::App* command = app.add_subcommand("view", "Open scenes and EXR pictures in a window");
+    command->add_option("files", request->files, "Scenes (*.yaml) and Stokes pictures (*.exr)")->type_name("FILE");
+    command->add_option("--size", request->size, "Size of the window in points")
+        ->type_name("WxH")
+        ->check(CLI::Validator(check_size, {}))
+        ->capture_default_str();
+    command->add_option("--theme", request->options.theme, "dark or light")
+        ->type_name("NAME")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, Theme>{{"dark", Theme::dark}, {"light", Theme::light}})
+                .description({}));
+    command->add_option("--ui-scale", request->options.ui_scale, "Size of fonts and widgets; without it, the screen's")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(0.5, 4.0).description({}));
+    command->add_option("--probe", request->options.probe)->group("")->check(CLI::Validator(check_folder, {}));
+    command->footer(keys_text() +
+                    "\nExamples:\n"
+                    "  polariscope view assets/scenes/paper-calcite-unpolarized.yaml\n"
+                    "  polariscope view before.exr after.exr --theme light");
+    command->callback([request, &exit_code] {
+        AppOptions& options = request->options;
+        std::sscanf(request->size.c_str(), "%dx%d", &options.width, &options.height);
+        const auto ended = run_app({request->files.begin(), request->files.end()}, options);
+        exit_code = ended ? 0 : report(ended.error());
+    });
+}
+
+}  // namespace pol

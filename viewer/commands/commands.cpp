@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/commands/commands.h"
+
+#include <algorithm>
+
+namespace pol {
+
+const Command* command_for(const Session& session, const KeyChord& chord) {
+    if (chord.key == Key::none) return nullptr;
+    const auto all = commands();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Command& command) {
+        return (command.chord == chord || command.also == chord) && is_enabled(command, session);
+    });
+    return found == all.end() ? nullptr : &*found;
+}
+
+bool run_command(Session& session, const KeyChord& chord, bool held) {
+    const Command* command = command_for(session, chord);
+    if (command == nullptr) return false;
+    if (held && !command->repeats) return true;
+    command->run(session);
+    return true;
+}
+
+}  // namespace pol

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that a key, a menu entry or the help can name: one table.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "viewer/commands/keys.h"
+#include "viewer/session/session.h"
+
+namespace pol {
+
+struct Command {
+    std::string_view group;  ///< name of the menu and heading in the help
+    std::string_view title;  ///< as in the menu
+    KeyChord chord;          ///< none: menu only
+    std::string_view help;   ///< one sentence for the help and the tooltip
+    void (*run)(Session&);
+    bool (*enabled)(const Session&) = nullptr;  ///< null: always
+    KeyChord also{};                            ///< a second chord
+    bool repeats = false;                       ///< while the key is held
+    bool (*checked)(const Session&) = nullptr;  ///< null: no check mark in the menu
+};
+
+/// All commands, in the order of menus and help: rows of a group follow each other.
+std::span<const Command> commands();
+
+/// The key that shows a map; none if it has none.
+KeyChord chord_of(Quantity quantity);
+
+/// The command that the chord means now, or null. Two commands may share a chord if they are never enabled together
+/// (arrow keys with and without a pinned pixel).
+const Command* command_for(const Session& session, const KeyChord& chord);
+
+[[nodiscard]] inline bool is_enabled(const Command& command, const Session& session) {
+    return command.enabled == nullptr || command.enabled(session);
+}
+
+/// Runs what `chord` means; false if that is nothing. `held`: the key repeats.
+bool run_command(Session& session, const KeyChord& chord, bool held = false);
+
+}  // namespace pol

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/pages/pixel_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "maps/error_bars.h"
+#include "maps/evaluate.h"
+#include "viewer/pages/pixel_reading.h"
+#include "viewer/pages/reading_text.h"
+#include "viewer/shown/shown_picture.h"
+
+namespace pol {
+
+namespace {
+
+constexpr std::string_view degree = "\u00b0";
+
+std::string exact_text(double value, std::string_view unit) {
+    return fmt::format("{:.17g}{}{}", value + 0.0, unit.empty() || unit == degree ? "" : " ", unit);
+}
+
+/// The same of a bar.
+std::string exact_text(const Interval<double>& bar, std::string_view unit) {
+    return fmt::format("[{}, {}]", exact_text(bar.low, unit), exact_text(bar.high, unit));
+}
+
+/// `rounding` as in number_text.
+PageRow row(std::string name, double value, const std::optional<Interval<double>>& bar, double rounding,
+            std::string_view unit, std::string_view help) {
+    PageRow out{std::move(name), {}, {}, {}, help};
+    if (!std::isfinite(value)) {
+        out.value = "not a number";
+        return out;
+    }
+    const NumberText text = number_text(value, bar, rounding, 9, unit);
+    out.value = text.value;
+    out.bar = text.bar;
+    out.exact = exact_text(value, unit);
+    if (!out.bar.empty()) out.exact_bar = exact_text(*bar, unit);
+    return out;
+}
+
+PageRow exact_row(std::string name, double value, std::string_view unit, std::string_view help) {
+    return row(std::move(name), value, std::nullopt, 0.0, unit, help);
+}
+
+PageRow words(std::string name, const std::string& value, std::string_view help) {
+    return {std::move(name), value, {}, value, help};
+}
+
+PageRow axis_row(std::string name, const DVec3& v, std::string_view help) {
+    return {std::move(name), vector_text(v, 1.0), {}, fmt::format("({:.17g}, {:.17g}, {:.17g})", v.x, v.y, v.z), help};
+}
+
+/// Axes of the pixel's centre in the scene, or none for a picture without one.
+std::optional<CameraRay> camera_axes(const Document& document, PixelAddress pixel) {
+    if (!document.has_scene()) return std::nullopt;
+    return document.plan()->camera.ray(pixel.x + 0.5, pixel.y + 0.5);
+}
+
+/// Angle from the camera's x to the x asked for; 0, and the reason in `trouble`, if there is none.
+double frame_angle(const PageSettings& settings, const std::optional<CameraRay>& axes, std::string& trouble) {
+    switch (settings.frame) {
+        case FrameChoice::camera:
+            return 0.0;
+        case FrameChoice::own_angle:
+            return settings.own_angle;
+        case FrameChoice::scene_x:
+        case FrameChoice::scene_y:
+        case FrameChoice::scene_z:
+            break;
+    }
+    if (!axes) {
+        trouble = "A picture has no scene axes: camera frame";
+        return 0.0;
+    }
+    const int axis = static_cast<int>(settings.frame) - static_cast<int>(FrameChoice::scene_x);
+    const double along_x = axes->x[axis];
+    const double along_y = axes->y[axis];
+    constexpr double seen_end_on = 1e-9;
+    if (std::hypot(along_x, along_y) < seen_end_on) {
+        trouble = "That axis points along the ray: camera frame";
+        return 0.0;
+    }
+    return std::atan2(along_y, along_x);
+}
+
+/// Bar of an amount of light: it grows by at most `share` of what is missing, and falls by as much of the surplus, but
+/// not below 0.
+Interval<double> one_sided(double amount, const PixelLight& light, double share) {
+    return {std::min(amount, std::max(0.0, amount - share * light.surplus)), amount + share * light.missing};
+}
+
+/// "0.25 - 0.1 i".
+std::string complex_text(const std::string& re, const std::string& im) {
+    const bool is_negative = im.front() == '-';
+    return fmt::format("{} {} {} i", re, is_negative ? '-' : '+', im.substr(is_negative ? 1 : 0));
+}
+
+/// Also fills the page's matrix_texts.
+PageGroup matrix_group(PixelPage& page, const PixelLight& light, const Convention& convention) {
+    const CoherenceMatrix<double>& j = page.matrix;
+    PageGroup group{"Coherence matrix", {}};
+    // J_true = J + A - B, both positive semidefinite: 0 <= A_xx <= tr A and |A_xy| <= tr A / 2, the same for B.
+    const auto diagonal = [&](double value) { return one_sided(value, light, 1.0); };
+    const double radius = 0.5 * (light.missing + light.surplus);
+    const auto around = [&](double value) { return Interval<double>{value - radius, value + radius}; };
+    const double rounding = rounding_of(light);
+    group.rows.push_back(row("Jxx", j.xx, diagonal(j.xx), rounding, "", "<Ex Ex*>, radiance along x"));
+    group.rows.push_back(row("Re Jxy", j.xy.re, around(j.xy.re), rounding, "", "Real part of <Ex Ey*> = S2 / 2"));
+    group.rows.push_back(row("Im Jxy", j.xy.im, around(j.xy.im), rounding, "",
+                             convention.s3_of_matrix() > 0 ? "Imaginary part of <Ex Ey*> = S3 / 2"
+                                                           : "Imaginary part of <Ex Ey*> = -S3 / 2"));
+    group.rows.push_back(row("Jyy", j.yy, diagonal(j.yy), rounding, "", "<Ey Ey*>, radiance along y"));
+
+    if (!std::isfinite(j.xx + j.yy + j.xy.re + j.xy.im)) return group;
+    constexpr int digits = 4;  // what fits into a panel of 400 points
+    const auto text = [&](double value, const Interval<double>& bar) {
+        return number_text(value, bar, rounding, digits, "").value;
+    };
+    const std::string re = text(j.xy.re, around(j.xy.re));
+    page.matrix_texts = {text(j.xx, diagonal(j.xx)), complex_text(re, text(j.xy.im, around(j.xy.im))),
+                         complex_text(re, text(-j.xy.im, around(-j.xy.im))), text(j.yy, diagonal(j.yy))};
+    return group;
+}
+
+PageGroup frame_group(const Document& document, const std::optional<CameraRay>& axes, double angle,
+                      const Convention& convention) {
+    PageGroup group{"Frame", {}};
+    if (axes) {
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        group.rows.push_back(axis_row("x", convention.x_sign() * (angle == 0.0 ? axes->x : axes->x * c + axes->y * s),
+                                      "Unit vector in the scene; image right in the camera frame"));
+        group.rows.push_back(axis_row("y", angle == 0.0 ? axes->y : axes->y * c - axes->x * s,
+                                      "Unit vector in the scene; image up in the camera frame"));
+        group.rows.push_back(axis_row("k", -axes->direction, "Direction of the light, towards the camera"));
+    } else {
+        const auto& attributes = document.picture().attributes;
+        for (const char* name : {"frame", "azimuthZero", "timeSign"})
+            if (const auto found = attributes.find(name); found != attributes.end())
+                group.rows.push_back(words(name, found->second, "What the file says"));
+        if (group.rows.empty())
+            group.rows.push_back(
+                words("frame", "the file says nothing; taken as camera frame", "x image right, y image up"));
+    }
+    if (angle != 0.0)
+        group.rows.push_back(
+            exact_row("turned by", degrees(angle), degree,
+                      "Angle by which the axes are turned from the camera's x towards its y, as the receiver sees it"));
+    return group;
+}
+
+PageGroup parts_group(const PixelPage& page, const PixelLight& light) {
+    const double s0 = page.stokes.s0;
+    const double p = polarized_part(page.stokes);
+    const double radius = light.missing + light.surplus;
+    const double rounding = rounding_of(light);
+    PageGroup group{"Parts", {}};
+    // Weyl: adding A and taking B away moves each eigenvalue up by at most tr A and down by at most tr B.
+    const auto add = [&](const char* name, double value, double share, const char* help) {
+        group.rows.push_back(row(name, value, one_sided(value, light, share), rounding, "", help));
+    };
+    group.rows.push_back(row("polarized", p, Interval<double>{std::max(0.0, p - radius), p + radius}, rounding, "",
+                             "|(S1, S2, S3)|, radiance of the fully polarized part"));
+    add("unpolarized", s0 - p, 2.0, "S0 - |(S1, S2, S3)|, half of it in any state");
+    add("eigenvalue 1", 0.5 * (s0 + p), 1.0, "Larger eigenvalue of J, (S0 + |S|) / 2");
+    add("eigenvalue 2", 0.5 * (s0 - p), 1.0, "Smaller eigenvalue of J, (S0 - |S|) / 2");
+    return group;
+}
+
+PageGroup stokes_group(const PixelPage& page, const PixelLight& light, const Convention& convention) {
+    const Stokes<double>& s = page.stokes;
+    const auto bars = stokes_bars(light);
+    const double rounding = rounding_of(light);
+    PageGroup group{"Stokes vector", {}};
+    const auto add = [&](const char* name, double value, Interval<double> MeasureBounds<double>::*bar,
+                         std::string_view help) {
+        group.rows.push_back(row(name, value, bars ? std::optional((*bars).*bar) : std::nullopt, rounding, "", help));
+    };
+    add("S0", s.s0, &MeasureBounds<double>::s0, "Jxx + Jyy, spectral radiance");
+    add("S1", s.s1, &MeasureBounds<double>::s1, "Jxx - Jyy: along x minus along y");
+    add("S2", s.s2, &MeasureBounds<double>::s2, "+45 degrees minus -45 degrees");
+    add("S3", s.s3, &MeasureBounds<double>::s3,
+        convention.handedness_name(1) == "right" ? "Circular: right minus left" : "Circular: left minus right");
+    return group;
+}
+
+/// As the maps see it, so that hover and inspector agree about what is undefined.
+PageRow measure_row(std::string name, const QuantityReading& reading, std::string_view unit, std::string_view help) {
+    if (reading.pixel.state == PixelState::defined)
+        return row(std::move(name), reading.pixel.value, reading.bar, reading.rounding, unit, help);
+    PageRow out{std::move(name), std::string(state_text(reading.pixel.state)), {}, {}, help};
+    if (reading.pixel.state != PixelState::undetermined || !reading.bar) return out;
+    out.bar = interval_text(*reading.bar, reading.rounding, unit);
+    out.exact_bar = exact_text(*reading.bar, unit);
+    return out;
+}
+
+/// Right, left or linear, where no light that is missing can make it another one.
+PageRow handedness_row(const QuantityReading& reading, int handedness, const Convention& convention) {
+    PageRow out{"handedness", std::string(state_text(reading.pixel.state)), {}, {}, "Clockwise for who looks: right"};
+    if (reading.pixel.state != PixelState::defined) return out;
+    const bool has_bar = reading.bar && reading.bar->width() > reading.rounding;
+    const bool may_be_other = has_bar && (handedness == 0 || (reading.bar->low <= 0.0 && reading.bar->high >= 0.0));
+    out.value = may_be_other      ? std::string(state_text(PixelState::undetermined))
+                : handedness == 0 ? "linear"
+                                  : std::string(convention.handedness_name(handedness));
+    if (!may_be_other) out.exact = out.value;
+    return out;
+}
+
+PageGroup measures_group(const PixelPage& page, const PixelLight& light, const Convention& convention) {
+    const Measures<double>& m = page.measures;
+    PageGroup group{"Measures", {}};
+    const auto read = [&](Quantity quantity) { return read_light(light, quantity, 1.0); };
+    const auto add = [&](const char* name, Quantity quantity, std::string_view help) {
+        group.rows.push_back(measure_row(name, read(quantity), info(quantity).unit, help));
+    };
+    add("DoP", Quantity::dop, info(Quantity::dop).definition);
+    add("DoLP", Quantity::dolp, info(Quantity::dolp).definition);
+    add("DoCP", Quantity::docp, info(Quantity::docp).definition);
+    add("ellipticity b/a", Quantity::ellipticity, info(Quantity::ellipticity).definition);
+    // Known as well as the handedness, which is the sine of twice this angle.
+    const auto bars = error_bars(light);
+    QuantityReading chi = read(Quantity::handedness);
+    chi.pixel.value = degrees(m.ellipticity_angle);
+    chi.rounding *= 90.0;
+    if (bars) chi.bar = Interval<double>{degrees(bars->ellipticity_angle.low), degrees(bars->ellipticity_angle.high)};
+    group.rows.push_back(measure_row("ellipticity angle", chi, degree, "atan2(S3, |(S1, S2)|) / 2, sign of S3"));
+    add("azimuth", Quantity::azimuth, "atan2(S2, S1) / 2: major axis of the ellipse, from x towards y");
+    group.rows.push_back(handedness_row(read(Quantity::handedness), m.handedness, convention));
+    return group;
+}
+
+/// The angle of the frame on screen; 0 where there is no such frame.
+double shown_angle(const Session& session) {
+    std::string trouble;
+    return frame_angle(session.page, camera_axes(*session.current(), *session.selection.pinned()), trouble);
+}
+
+PageGroup making_group(const PixelReading& reading, const WavelengthReading& at) {
+    PageGroup group{"How it was made", {}};
+    if (reading.samples)
+        group.rows.push_back(exact_row("samples", *reading.samples, "", "Rays through this pixel so far"));
+    group.rows.push_back(exact_row("residual", at.light.residual, "", info(Quantity::residual).definition));
+    group.rows.push_back(exact_row("tail", at.tail, "", "Share of the throughput that one random path stands for"));
+    if (at.brightest > 0.0)
+        group.rows.push_back(exact_row("brightest", at.brightest, "", "Most S0 that any path can bring"));
+    group.rows.push_back(exact_row("failures", reading.failures.value_or(0), "", "Samples whose arithmetic failed"));
+    return group;
+}
+
+/// Of a pixel that the render has not reached yet, behind the polarimeter.
+WavelengthReading reading_of(const Explanation& e, const Plan& plan, const Polarimeter& polarimeter) {
+    const auto w = static_cast<std::size_t>(e.wavelength);
+    StokesImage image;
+    image.width = image.height = 1;
+    image.wavelengths_nm = {plan.wavelengths_nm[w]};
+    image.stokes = {e.sample_light};
+    image.residual = {e.result.residual};
+    image.tail = {e.result.tail};
+    image.brightest = {plan.brightest[w]};
+    WavelengthReading at;
+    at.wavelength_nm = image.wavelengths_nm[0];
+    at.light = ShownPicture(image, polarimeter).light(0, 0);
+    at.tail = e.result.tail;
+    at.brightest = plan.brightest[w];
+    return at;
+}
+
+}  // namespace
+
+std::string complex_text(const Complex<double>& z, int digits, double size) {
+    if (!std::isfinite(z.re) || !std::isfinite(z.im)) return "not a number";
+    const double largest = std::max({size, std::abs(z.re), std::abs(z.im)});
+    return complex_text(short_number(z.re, digits, largest), short_number(z.im, digits, largest));
+}
+
+std::string vector_text(const DVec3& v, double size) {
+    return fmt::format("({}, {}, {})", short_number(v.x, 6, size), short_number(v.y, 6, size),
+                       short_number(v.z, 6, size));
+}
+
+std::string exact_text(const Complex<double>& z) {
+    return fmt::format("{:.17g} {} {:.17g} i", z.re + 0.0, z.im < 0.0 ? '-' : '+', std::abs(z.im));
+}
+
+PixelPage make_pixel_page(const Session& session) {
+    const PageSettings& settings = session.page;
+    const Convention& convention = session.view.convention;
+    const Document& document = *session.current();
+    PixelPage page;
+    const PixelAddress pixel = *session.selection.pinned();
+    page.pixel = {document.picture().left + pixel.x, document.picture().top + pixel.y};
+    page.convention = convention.text();
+    // The frame is turned before the convention labels it.
+    const PixelReading reading = read_pixel(session, pixel, Convention{});
+    WavelengthReading at = reading.wavelengths[std::min(session.view.wavelength, reading.wavelengths.size() - 1)];
+    if (reading.samples == 0U && session.explanation() != nullptr) {
+        at = reading_of(*session.explanation(), *document.plan(), session.polarimeter);
+        page.from_tree = true;
+    }
+    page.wavelength_nm = at.wavelength_nm;
+
+    const auto axes = camera_axes(document, pixel);
+    const double angle = frame_angle(settings, axes, page.trouble);
+    const Stokes<double> turned = angle == 0.0 ? at.light.stokes : rotate_basis(at.light.stokes, angle);
+    const double noise = noise_threshold(1000.0);
+    page.seen = measure(Convention{convention.viewpoint}.stokes(turned), noise);
+    PixelLight light = at.light;
+    light.stokes = page.stokes = convention.stokes(turned);
+    page.measures = measure(page.stokes, noise);
+    page.matrix = convention.matrix(to_coherence(turned));
+    page.groups = {matrix_group(page, light, convention),
+                   frame_group(document, axes, angle, convention),
+                   stokes_group(page, light, convention),
+                   measures_group(page, light, convention),
+                   parts_group(page, light),
+                   making_group(reading, at)};
+    return page;
+}
+
+PageAxes page_axes(const Session& session) {
+    const double angle = shown_angle(session);
+    return {session.view.convention.x_sign() * DVec2(std::cos(angle), -std::sin(angle)),
+            {-std::sin(angle), -std::cos(angle)}};
+}
+
+std::vector<PageCurve> spectrum_curves(const Session& session) {
+    const PixelReading reading = read_pixel(session, *session.selection.pinned(), Convention{});
+    const double angle = shown_angle(session);
+    std::vector<PageCurve> curves;
+    PageCurve s0{"S0", {}, {}, 0.0, 0.0, false};
+    for (const WavelengthReading& at : reading.wavelengths) {
+        const double value = at.light.stokes.s0;
+        const auto bars = stokes_bars(at.light);
+        const NumberText text =
+            number_text(value, bars ? std::optional(bars->s0) : std::nullopt, rounding_of(at.light), 6, "");
+        s0.texts.push_back(std::isfinite(value) ? text.value + (text.bar.empty() ? "" : " " + text.bar)
+                                                : std::string(state_text(PixelState::not_a_number)));
+        s0.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
+        if (std::isfinite(value)) s0.high = std::max(s0.high, value);
+    }
+    curves.push_back(std::move(s0));
+    for (const Quantity quantity : {Quantity::dop, Quantity::azimuth, Quantity::ellipticity}) {
+        const QuantityInfo& about = info(quantity);
+        PageCurve curve{std::string(about.title), {}, {}, about.low, about.high, about.kind == ScaleKind::cyclic};
+        if (!about.unit.empty()) curve.name += fmt::format(" ({})", about.unit);
+        for (const WavelengthReading& at : reading.wavelengths) {
+            PixelLight light = at.light;
+            light.stokes = session.view.convention.stokes(rotate_basis(at.light.stokes, angle));
+            const QuantityReading shown = read_light(light, quantity, 1.0);
+            const MapPixel& pixel = shown.pixel;
+            curve.values.push_back(pixel.state == PixelState::defined ? std::optional(pixel.value) : std::nullopt);
+            curve.texts.push_back(reading_text(quantity, shown));
+        }
+        curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
+std::string text_of(const PixelPage& page) {
+    std::string out =
+        fmt::format("pixel {},{}  {} nm\n{}\n", page.pixel.x, page.pixel.y, page.wavelength_nm, page.convention);
+    for (const PageGroup& group : page.groups) {
+        out += "\n" + group.title + "\n";
+        for (const PageRow& r : group.rows)
+            out += fmt::format("{:<18} {}{}{}\n", r.name, r.exact.empty() ? r.value : r.exact,
+                               r.exact_bar.empty() ? "" : "  ", r.exact_bar);
+    }
+    return out;
+}
+
+}  // namespace pol

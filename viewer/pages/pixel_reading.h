@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that the picture knows about one pixel, behind the polarimeter: what hover, numbers in pixels and the
+// inspector show.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "maps/pixel_light.h"
+#include "spectrum/color.h"
+#include "viewer/session/session.h"
+#include "viewer/shown/selection.h"
+#include "viewer/shown/shown_quantity.h"
+
+namespace pol {
+
+struct WavelengthReading {
+    double wavelength_nm = 0.0;
+    PixelLight light{};         ///< behind the polarimeter, in the convention asked for
+    double tail = 0.0;          ///< share of the throughput that random paths stand for
+    double brightest = 0.0;     ///< trace bound of the light that any path can bring; 0: not known
+    std::optional<double> d65;  ///< CIE D65 there; none outside its table
+};
+
+struct PixelReading {
+    PixelAddress address{};
+    std::vector<WavelengthReading> wavelengths;  ///< as in the picture
+    Rgb color{};                                 ///< linear sRGB
+    std::optional<std::uint32_t> samples;        ///< none: the picture does not say
+    std::optional<std::uint32_t> failures;       ///< samples whose arithmetic failed
+
+    /// `quantity` at one wavelength as maps::evaluate_light has it; `undefined` for the intensity where D65 is not
+    /// known. Requires: quantity is not `color`, wavelength < wavelengths.size().
+    [[nodiscard]] QuantityReading quantity(Quantity quantity, std::size_t wavelength) const;
+};
+
+/// Reads a pixel of the session's current picture. Requires: current() is not null, `address` lies inside the picture.
+PixelReading read_pixel(const Session& session, PixelAddress address, const Convention& convention);
+/// The same in the shown convention.
+inline PixelReading read_pixel(const Session& session, PixelAddress address) {
+    return read_pixel(session, address, session.view.convention);
+}
+
+}  // namespace pol

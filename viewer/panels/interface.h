@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole window as a function of the session: menus, panels, layout. Needs ImGui only.
+#pragma once
+
+#include <optional>
+
+#include "viewer/panels/command_palette.h"
+#include "viewer/panels/histogram_panel.h"
+#include "viewer/panels/log_panel.h"
+#include "viewer/panels/maps_panel.h"
+#include "viewer/panels/open_dialog.h"
+#include "viewer/panels/paths_panel.h"
+#include "viewer/panels/picture_panel.h"
+#include "viewer/panels/pixel_panel.h"
+#include "viewer/panels/ray_table_panel.h"
+#include "viewer/panels/save_as_dialog.h"
+#include "viewer/panels/scene_panel.h"
+#include "viewer/panels/space_panel.h"
+#include "viewer/panels/sphere_panel.h"
+#include "viewer/panels/welcome.h"
+#include "viewer/session/session.h"
+#include "viewer/widgets/frame.h"
+
+namespace pol {
+
+/// Layout: menu on top, status line at the bottom; how the picture is shown on the left; what is known about a pixel on
+/// the right, in one stack of tabs, or in two where the window is large; the picture between them. Keeps only what
+/// belongs to widgets (open tabs, filters), never the user's data.
+class Interface {
+public:
+    /// Builds one frame between ImGui::NewFrame() and ImGui::Render().
+    void draw(Session& session, Frame& frame);
+
+private:
+    /// Stacks of tabs on the right.
+    enum class Stack : std::uint8_t { all, upper, lower };
+
+    /// Each keeps the tree that it showed last, which may be large: they start anew when a document is closed.
+    struct TreePanels {
+        PathsPanel paths;
+        RayTablePanel rays;
+        SpacePanel space;
+    };
+
+    void draw_left(Session& session);
+    void draw_tabs(Session& session, Stack stack);
+    void draw_overlays(Session& session);
+
+    MapsPanel maps_;
+    HistogramPanel histogram_;
+    PicturePanel picture_;
+    PixelPanel pixel_;
+    std::optional<TreePanels> of_tree_{std::in_place};
+    std::size_t documents_ = 0;  // that were open in the last frame
+    SpherePanel sphere_;
+    ScenePanel scene_;
+    Welcome welcome_;
+    LogPanel log_;
+    CommandPalette palette_;
+    OpenDialog open_dialog_;
+    SaveAsDialog save_as_dialog_;
+    std::optional<Theme> theme_;  // that the style was made for, with theme_scale_
+    double theme_scale_ = 0.0;
+};
+
+}  // namespace pol

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/session/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "io/scenes/scene_hash.h"
+#include "verify/facts/fact.h"
+#include "viewer/shown/twins.h"
+
+namespace pol {
+
+namespace {
+/// Time per frame for taking over finished tiles, and again for evaluating the shown map: while workers trace, the rest
+/// of a frame is for drawing; afterwards nothing else is to be done.
+constexpr double tracing_s = 0.002;
+constexpr double finished_s = 0.010;
+}  // namespace
+
+bool Session::open(const std::filesystem::path& path) {
+    if (!adopt(Document::open(path, wake_))) return false;
+    constexpr std::size_t remembered = 12;
+    const std::filesystem::path opened = current()->path();
+    std::erase(recent_files, opened);
+    recent_files.insert(recent_files.begin(), opened);
+    if (recent_files.size() > remembered) recent_files.resize(remembered);
+    return true;
+}
+
+bool Session::open_scene(Scene scene, const std::string& name) {
+    return adopt(Document::make(std::move(scene), name, wake_));
+}
+
+bool Session::show_again(const std::function<bool(const Document&)>& wanted) {
+    const auto found = std::find_if(documents_.begin(), documents_.end(),
+                                    [&](const auto& document) { return !document->dirty() && wanted(*document); });
+    if (found == documents_.end()) return false;
+    current_ = static_cast<int>(found - documents_.begin());
+    fit_wavelength();
+    return true;
+}
+
+bool Session::open_fact(const verify::Fact& fact, std::size_t view_index) {
+    const auto is_this = [&](const Document& document) {
+        return document.fact() && document.fact()->fact == &fact && document.fact()->view == view_index;
+    };
+    if (!show_again(is_this) && !adopt(Document::of_fact(fact, view_index, wake_))) return false;
+    pin_fact();
+    window.fact_to_front = true;
+    return true;
+}
+
+bool Session::open_isotropic_twin() {
+    const Document* document = current();
+    if (document == nullptr || !document->has_scene()) return false;
+    auto twin = isotropic_twin(document->scene());
+    if (!twin) {
+        log.add(Severity::error, to_string(twin.error()));
+        return false;
+    }
+    return open_twin(std::move(twin).value(), "isotropic",
+                     "every crystal is a glass of its mean permittivity, n\u00b2 = (2 n_o\u00b2 + n_e\u00b2)/3");
+}
+
+bool Session::open_unpolarized_twin() {
+    const Document* document = current();
+    if (document == nullptr || !document->has_scene()) return false;
+    return open_twin(unpolarized_twin(document->scene()), "unpolarized",
+                     "light is unpolarized again after every surface, as in a renderer without polarization");
+}
+
+bool Session::open_twin(Scene scene, const std::string& kind, const std::string& what_it_is) {
+    Document* original = current();
+    const std::string name = twin_name(original->name(), kind);
+    const std::string hash = scene_hash(scene);
+    const auto is_this = [&](const Document& document) {
+        return document.has_scene() && document.path().empty() && document.name() == name &&
+               scene_hash(document.scene()) == hash;
+    };
+    if (!show_again(is_this) && !open_scene(std::move(scene), name)) return false;
+    reference_ = original;
+    if (!view.difference || view.quantity == Quantity::color) toggle_difference();
+    log.add(Severity::note, name + ": " + what_it_is + ". Shown minus " + original->name() +
+                                "; X shows the twin itself, Up and Down switch between the two");
+    return true;
+}
+
+void Session::set_reference() {
+    if (current() == nullptr) return;
+    reference_ = current();
+    log.add(Severity::note, reference_->name() + " is the reference; X shows how far other pictures are from it");
+}
+
+Result<Comparison> Session::compare() const {
+    const Document* document = current();
+    const auto refusal = [](std::string what, std::string remedy) {
+        return Error{ErrorKind::usage, std::move(what), {}, {}, std::move(remedy)};
+    };
+    if (document == nullptr || reference_ == nullptr)
+        return refusal("there is no reference to compare with",
+                       "show the picture that others are to be compared with and press Shift+X");
+    if (document == reference_)
+        return refusal(document->name() + " is the reference itself", "Up and Down show the other pictures");
+    const StokesImage& a = document->picture();
+    const StokesImage& b = reference_->picture();
+    if (a.width != b.width || a.height != b.height)
+        return refusal(fmt::format("{} has {} x {} pixels, the reference {} has {} x {}", document->name(), a.width,
+                                   a.height, reference_->name(), b.width, b.height),
+                       "compare pictures of one size");
+    if (a.left != b.left || a.top != b.top)
+        return refusal(fmt::format("{} begins at pixel {},{} of its picture, the reference {} at {},{}",
+                                   document->name(), a.left, a.top, reference_->name(), b.left, b.top),
+                       "compare the same part of both pictures");
+    const double nm = a.wavelengths_nm[std::min(view.wavelength, a.wavelengths_nm.size() - 1)];
+    // Files keep wavelengths as decimal texts.
+    constexpr double same_nm = 1e-6;
+    for (std::size_t w = 0; w < b.wavelengths_nm.size(); ++w)
+        if (std::abs(b.wavelengths_nm[w] - nm) <= same_nm) return Comparison{reference_, w};
+    return refusal(fmt::format("the reference {} has no light of {:.6g} nm", reference_->name(), nm),
+                   "choose a wavelength that both pictures have, or render them at the same ones");
+}
+
+std::optional<Comparison> Session::comparison() const {
+    if (!view.difference || view.quantity == Quantity::color) return std::nullopt;
+    const auto found = compare();
+    return found ? std::optional(found.value()) : std::nullopt;
+}
+
+ShownQuantity Session::shown_quantity() const {
+    std::optional<ReferencePicture> reference;
+    if (const auto compared = comparison()) reference = compared->picture();
+    return {current()->picture(), view, polarimeter, reference};
+}
+
+void Session::toggle_difference() {
+    if (comparison()) {
+        view.difference = false;
+    } else if (const auto possible = compare(); !possible) {
+        log.add(Severity::warning, to_string(possible.error()));
+    } else {
+        view.difference = true;
+        if (view.quantity == Quantity::color) show(Quantity::intensity);
+    }
+}
+
+bool Session::adopt(Result<std::unique_ptr<Document>> document) {
+    if (!document) {
+        log.add(Severity::error, to_string(document.error()));
+        return false;
+    }
+    documents_.push_back(std::move(document).value());
+    current_ = static_cast<int>(documents_.size()) - 1;
+    fit_wavelength();
+    return true;
+}
+
+void Session::close_document() {
+    if (current_ < 0) return;
+    if (current() == reference_) reference_ = nullptr;
+    documents_.erase(documents_.begin() + current_);
+    current_ = documents_.empty() ? -1 : std::max(0, current_ - 1);
+    fit_wavelength();
+}
+
+Document* Session::current() const {
+    return current_ < 0 ? nullptr : documents_[static_cast<std::size_t>(current_)].get();
+}
+
+void Session::step_document(int by) {
+    if (documents_.empty()) return;
+    const int count = static_cast<int>(documents_.size());
+    current_ = ((current_ + by) % count + count) % count;
+    fit_wavelength();
+}
+
+bool Session::logged(const Result<Done>& result) {
+    if (!result) log.add(Severity::error, to_string(result.error()));
+    return static_cast<bool>(result);
+}
+
+bool Session::undo() {
+    return current() != nullptr && logged(current()->undo());
+}
+
+bool Session::redo() {
+    return current() != nullptr && logged(current()->redo());
+}
+
+bool Session::reload() {
+    return current() != nullptr && logged(current()->reload());
+}
+
+bool Session::save(const std::filesystem::path& path, Document::Rewrite rewrite) {
+    if (current() == nullptr || !current()->has_scene()) return false;
+    const auto saved = current()->save(path, rewrite);
+    if (!saved) {
+        log.add(Severity::error, to_string(saved.error()));
+        return false;
+    }
+    window.rewrite_asked = saved.value() == Document::Saved::asks;
+    if (window.rewrite_asked) return false;
+    log.add(Severity::note, "scene written: " + path.string());
+    if (saved.value() == Document::Saved::without_comments)
+        log.add(Severity::warning, "the comments of the file that the scene was read from are not in " + path.string());
+    return true;
+}
+
+bool Session::move_camera(const Camera& camera, const std::string& label) {
+    Scene scene = current()->scene();
+    scene.camera = camera;
+    return logged(current()->edit(std::move(scene), label));
+}
+
+bool Session::has_unsaved_edits() const {
+    return std::any_of(documents_.begin(), documents_.end(), [](const auto& d) { return d->dirty(); });
+}
+
+void Session::update() {
+    exports.report(log);
+    follow_files();
+    const auto compared = comparison();
+    const auto is_seen = [&](const Document* document) {
+        return document == current() || (compared && document == reference_);
+    };
+    bool tracing = false;
+    bool behind = false;
+    for (const auto& document : documents_) {
+        document->set_resting(!is_seen(document.get()));
+        if (!is_seen(document.get())) continue;
+        const bool traces = document->tracing();
+        behind = document->update(traces ? tracing_s : finished_s) || behind;
+        tracing = tracing || traces;
+    }
+    Document* document = current();
+    fit_selection();
+    ask_for_explanation();
+    if (document == nullptr) {
+        shown_map.clear();
+        return;
+    }
+    const bool grows = tracing || behind;
+    shown_map.update(*document, view, polarimeter, tracing ? tracing_s : finished_s, grows, compared);
+    // What is left to do when the workers call no more.
+    if (!tracing && (behind || !shown_map.complete()) && wake_) wake_();
+}
+
+void Session::catch_up() {
+    const bool compared = comparison().has_value();
+    if (current() != nullptr) current()->catch_up();
+    if (compared) reference_->catch_up();
+}
+
+void Session::ask_for_explanation() {
+    const auto& asked = explanation_.request();
+    const auto wanted = wanted_explanation();
+    if (!asked || !wanted || !same_branches(*asked, *wanted)) selection.node.reset();
+    explanation_.ask(wanted);
+}
+
+std::optional<ExplanationRequest> Session::wanted_explanation() const {
+    const Document* document = current();
+    const auto pinned = selection.pinned();
+    if (document == nullptr || !document->has_scene() || !pinned) return std::nullopt;
+    const RenderSettings& settings = document->plan()->settings;
+    if (pinned->x >= settings.width || pinned->y >= settings.height) return std::nullopt;
+    const auto last_sample = static_cast<std::uint32_t>(settings.last_sample());
+    const std::size_t last_wavelength = document->plan()->wavelengths_nm.size() - 1;
+    return ExplanationRequest{document->plan(), *pinned, std::min(selection.sample, last_sample),
+                              static_cast<int>(std::min(view.wavelength, last_wavelength))};
+}
+
+std::shared_ptr<const Explanation> Session::explanation() const {
+    // What was asked for last may be stale until the next update().
+    return explanation_.request() == wanted_explanation() ? explanation_.result() : nullptr;
+}
+
+void Session::follow_files() {
+    const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    for (const auto& document : documents_) {
+        if (!document->file_changed(now_s)) continue;
+        if (logged(document->reload())) log.add(Severity::note, document->name() + " was saved: read again");
+    }
+}
+
+/// Another picture may count its wavelengths otherwise: it is shown at the wavelength nearest to the one that was
+/// chosen last, or to the default if none was.
+void Session::fit_wavelength() {
+    if (current() == nullptr) return;
+    const std::vector<double>& known = current()->picture().wavelengths_nm;
+    if (known == wavelengths_nm_) return;
+    const bool was_chosen =
+        !wavelengths_nm_.empty() && view.wavelength != nearest_wavelength(wavelengths_nm_, wanted_nm_);
+    if (was_chosen) wanted_nm_ = wavelengths_nm_[std::min(view.wavelength, wavelengths_nm_.size() - 1)];
+    wavelengths_nm_ = known;
+    view.wavelength = nearest_wavelength(known, wanted_nm_);
+}
+
+/// The picture on screen may be another one, of another size, than that which the user pointed at.
+void Session::fit_selection() {
+    const Document* document = current();
+    if (document == nullptr) {
+        selection = {};
+        return;
+    }
+    const StokesImage& picture = document->picture();
+    fit_wavelength();
+    const auto outside = [&](PixelAddress pixel) { return pixel.x >= picture.width || pixel.y >= picture.height; };
+    if (selection.hovered && outside(*selection.hovered)) selection.hovered.reset();
+    if (selection.marked.size() != picture.pixel_count()) selection.marked.clear();
+    const auto& region = selection.region;
+    if (region && (region->x1 > picture.width || region->y1 > picture.height)) selection.region.reset();
+    const auto pinned = selection.pinned();
+    if (std::erase_if(selection.pins, outside) == 0) return;
+    const auto found = pinned ? std::find(selection.pins.begin(), selection.pins.end(), *pinned) : selection.pins.end();
+    // Without it, the pin before it.
+    const auto index = static_cast<int>(found - selection.pins.begin());
+    selection.current = found == selection.pins.end() ? index - 1 : index;
+    selection.node.reset();
+}
+
+void Session::pin(PixelAddress pixel) {
+    const Document* document = current();
+    if (document == nullptr) return;
+    const StokesImage& picture = document->picture();
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture.width || pixel.y >= picture.height) return;
+    const auto found = std::find(selection.pins.begin(), selection.pins.end(), pixel);
+    selection.current = static_cast<int>(found - selection.pins.begin());
+    if (found == selection.pins.end()) selection.pins.push_back(pixel);
+    selection.node.reset();
+}
+
+void Session::pin_fact() {
+    const ShownFact shown = *current()->fact();
+    const verify::FactView& fact_view = shown.fact->views[shown.view];
+    pin({fact_view.x, fact_view.y});
+    selection.sample = 0;
+}
+
+void Session::nudge(int dx, int dy) {
+    const auto pinned = selection.pinned();
+    if (!pinned) return;
+    const StokesImage& picture = current()->picture();
+    selection.pins[static_cast<std::size_t>(selection.current)] = {std::clamp(pinned->x + dx, 0, picture.width - 1),
+                                                                   std::clamp(pinned->y + dy, 0, picture.height - 1)};
+    selection.node.reset();
+}
+
+void Session::unpin() {
+    if (!selection.pinned()) return;
+    selection.pins.erase(selection.pins.begin() + selection.current);
+    selection.current = static_cast<int>(selection.pins.size()) - 1;
+    selection.node.reset();
+}
+
+}  // namespace pol

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "film/film.h"
+#include "film/stokes_image.h"
+#include "maps/pixel_light.h"
+#include "viewer/shown/convention.h"
+#include "viewer/shown/polarimeter.h"
+
+namespace pol {
+
+/// The picture as the sensor behind the polarimeter sees it, labeled in some convention. Every number on screen comes
+/// through here. Borrows the picture: made anew for every frame.
+class ShownPicture {
+public:
+    ShownPicture(const StokesImage& picture, const Polarimeter& polarimeter, const Convention& convention = {})
+        : picture_(picture), convention_(convention) {
+        if (!polarimeter.empty()) train_ = polarimeter.mueller();
+    }
+    /// Requires: indices inside the picture.
+    [[nodiscard]] PixelLight light(std::size_t wavelength, std::size_t pixel) const {
+        return labeled(pixel_light(picture_, wavelength, pixel));
+    }
+    /// The same of the mean light of a rectangle. Requires: it lies inside the picture and is not empty.
+    [[nodiscard]] PixelLight mean_light(std::size_t wavelength, const TileRect& rect) const {
+        PixelLight mean;
+        for (int y = rect.y0; y < rect.y1; ++y) {
+            for (int x = rect.x0; x < rect.x1; ++x) {
+                const PixelLight light = pixel_light(picture_, wavelength, picture_.pixel(x, y));
+                mean.stokes += light.stokes;
+                mean.missing += light.missing;
+                mean.surplus += light.surplus;
+                mean.residual += light.residual;
+                mean.scale = light.scale;
+                mean.rounding = light.rounding;
+            }
+        }
+        const double share = 1.0 / static_cast<double>(rect.pixel_count());
+        mean.stokes = share * mean.stokes;
+        mean.missing *= share;
+        mean.surplus *= share;
+        mean.residual *= share;
+        return labeled(mean);
+    }
+    [[nodiscard]] Stokes<double> stokes(std::size_t wavelength, std::size_t pixel) const {
+        const Stokes<double>& s = picture_.at(wavelength, pixel);
+        return convention_.stokes(train_ ? *train_ * s : s);
+    }
+    [[nodiscard]] const StokesImage& picture() const { return picture_; }
+
+private:
+    [[nodiscard]] PixelLight labeled(const PixelLight& light) const {
+        PixelLight seen = train_ ? behind(*train_, light) : light;
+        seen.stokes = convention_.stokes(seen.stokes);
+        return seen;
+    }
+
+    const StokesImage& picture_;
+    Convention convention_;
+    std::optional<MuellerMatrix<double>> train_;  // none: the light arrives as it is
+};
+
+}  // namespace pol

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/shown/shown_quantity.h"
+
+#include <cmath>
+
+#include "core/contract.h"
+#include "maps/difference.h"
+#include "spectrum/illuminant.h"
+
+namespace pol {
+
+double rounding_of(const PixelLight& light) {
+    const double s0 = std::abs(light.stokes.s0);
+    const double dark = pixel_noise * light.scale;
+    return s0 + light.missing <= dark ? dark : pixel_noise * s0;
+}
+
+std::optional<MeasureBounds<double>> stokes_bars(const PixelLight& light) {
+    return light.stokes.s0 >= 0.0 ? error_bars(light) : std::nullopt;
+}
+
+QuantityReading read_light(const PixelLight& light, Quantity quantity, double d65) {
+    QuantityReading reading{evaluate_light(light, quantity, d65), error_bar(light, quantity, d65), 0.0};
+    if (quantity == Quantity::intensity)
+        reading.rounding = rounding_of(light) / d65;
+    else if (quantity == Quantity::azimuth || quantity == Quantity::azimuth_error)
+        reading.rounding = pixel_noise * 90.0;
+    else if (quantity != Quantity::residual && quantity != Quantity::unphysical)
+        reading.rounding = pixel_noise;
+    return reading;
+}
+
+ShownQuantity::ShownQuantity(const StokesImage& picture, const ViewSettings& view, const Polarimeter& polarimeter,
+                             const std::optional<ReferencePicture>& reference)
+    : quantity_(view.quantity), picture_(picture, polarimeter, view.convention), wavelength_(view.wavelength) {
+    POL_EXPECTS(quantity_ != Quantity::color);
+    if (reference) {
+        reference_.emplace(*reference->picture, polarimeter, view.convention);
+        reference_wavelength_ = reference->wavelength;
+    }
+    if (const auto d65 = d65_at(picture.wavelengths_nm[wavelength_])) d65_ = d65.value();
+}
+
+MapPixel ShownQuantity::at(std::size_t pixel) const {
+    const MapPixel own = value(picture_, wavelength_, pixel);
+    return reference_ ? difference(quantity_, own, value(*reference_, reference_wavelength_, pixel)) : own;
+}
+
+QuantityReading ShownQuantity::reading(std::size_t pixel) const {
+    const QuantityReading a = own(pixel);
+    if (!reference_) return a;
+    const QuantityReading b = of_reference(pixel);
+    QuantityReading by{difference(quantity_, a.pixel, b.pixel), std::nullopt, a.rounding + b.rounding};
+    if (by.pixel.state != PixelState::defined || !a.bar || !b.bar) return by;
+    // Around the difference itself, which of azimuths is that of lines.
+    const double plain = a.pixel.value - b.pixel.value;
+    by.bar = Interval<double>{by.pixel.value + (a.bar->low - b.bar->high - plain),
+                              by.pixel.value + (a.bar->high - b.bar->low - plain)};
+    return by;
+}
+
+QuantityReading ShownQuantity::read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
+    if (quantity_ == Quantity::intensity && !d65_) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
+    return read_light(picture.light(wavelength, pixel), quantity_, d65_.value_or(1.0));
+}
+
+MapPixel ShownQuantity::value(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
+    if (quantity_ == Quantity::intensity && !d65_) return {0.0, 0.0, PixelState::undefined};
+    return evaluate_light(picture.light(wavelength, pixel), quantity_, d65_.value_or(1.0));
+}
+
+}  // namespace pol

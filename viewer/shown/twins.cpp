@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/shown/twins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "spectrum/illuminant.h"
+#include "spectrum/refractive_index.h"
+
+namespace pol {
+
+namespace {
+
+bool is_crystal(const Medium& medium) {
+    return std::holds_alternative<UniaxialMedium>(medium.matter);
+}
+
+bool is_constant(const Spectrum& spectrum) {
+    return std::holds_alternative<ConstantSpectrum>(spectrum);
+}
+
+/// (2 n_o^2 + n_e^2)/3 at each wavelength; of one record if nothing varies.
+Result<RefractiveIndex> mean_index(const UniaxialMedium& crystal, const std::vector<double>& wavelengths_nm) {
+    IndexTable table;
+    for (const double nm : wavelengths_nm) {
+        const auto o = index_at(crystal.ordinary, nm);
+        if (!o) return o.error();
+        const auto e = index_at(crystal.extraordinary, nm);
+        if (!e) return e.error();
+        const double n_o = o.value().n;
+        const double n_e = e.value().n;
+        table.wavelength_nm.push_back(nm);
+        table.value.push_back(std::sqrt((2.0 * n_o * n_o + n_e * n_e) / 3.0));
+    }
+    const bool varies = !(is_constant(crystal.ordinary) && is_constant(crystal.extraordinary));
+    if (!varies || wavelengths_nm.size() == 1) return RefractiveIndex{ConstantIndex{{table.value[0], 0.0}}};
+    return RefractiveIndex{DispersiveIndex{{}, std::move(table), {}}};
+}
+
+Result<Spectrum> mean_absorption(const UniaxialMedium& crystal, const std::vector<double>& wavelengths_nm) {
+    TabulatedSpectrum table;
+    for (const double nm : wavelengths_nm) {
+        const auto o = evaluate(crystal.absorption_o, nm);
+        if (!o) return o.error();
+        const auto e = evaluate(crystal.absorption_e, nm);
+        if (!e) return e.error();
+        table.wavelength_nm.push_back(nm);
+        table.value.push_back((2.0 * o.value() + e.value()) / 3.0);
+    }
+    const bool varies = !(is_constant(crystal.absorption_o) && is_constant(crystal.absorption_e));
+    if (!varies || wavelengths_nm.size() == 1) return Spectrum{ConstantSpectrum{table.value[0]}};
+    return Spectrum{std::move(table)};
+}
+
+/// The virtual plates of emitters keep their crystal under another name.
+void keep_plates(Scene& scene, const Medium& crystal) {
+    const std::string kept = crystal.name + " (plate)";
+    bool is_used = false;
+    for (Object& object : scene.objects) {
+        auto* emission = std::get_if<Emission>(&object.role);
+        auto* plate = emission != nullptr ? std::get_if<CrystalPlateState>(&emission->state) : nullptr;
+        if (plate == nullptr || plate->medium != crystal.name) continue;
+        plate->medium = kept;
+        is_used = true;
+    }
+    if (!is_used) return;
+    scene.media.push_back(crystal);
+    scene.media.back().name = kept;
+}
+
+}  // namespace
+
+Result<Scene> isotropic_twin(const Scene& scene) {
+    if (std::none_of(scene.media.begin(), scene.media.end(), is_crystal))
+        return Error{ErrorKind::usage, "the scene has no crystal to replace by glass"};
+    Scene twin = scene;
+    for (std::size_t i = 0; i < scene.media.size(); ++i) {
+        const auto* crystal = std::get_if<UniaxialMedium>(&scene.media[i].matter);
+        if (crystal == nullptr) continue;
+        auto index = mean_index(*crystal, scene.render.wavelengths_nm);
+        if (!index) return index.error();
+        auto absorption = mean_absorption(*crystal, scene.render.wavelengths_nm);
+        if (!absorption) return absorption.error();
+        keep_plates(twin, scene.media[i]);
+        twin.media[i].matter = IsotropicMedium{std::move(index).value(), std::move(absorption).value()};
+    }
+    return twin;
+}
+
+Scene unpolarized_twin(Scene scene) {
+    scene.render.unpolarized = true;
+    return scene;
+}
+
+std::string twin_name(const std::string& name, const std::string& kind) {
+    return std::filesystem::path(name).stem().string() + "-" + kind + ".yaml";
+}
+
+}  // namespace pol
