@@ -2,6 +2,7 @@
 #include "viewer/widgets/theme.h"
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace pol {
 
