@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture as maps::evaluate and maps::colorize would have it, one fragment per device pixel of the viewport.
-// After measures.glsl, bounds.glsl and the constants of picture_renderer.cpp: quantity_..., state_..., and what this
+// After measures.glsl, bounds.glsl and the constants of picture/picture_renderer.cpp: quantity_..., state_..., and what this
 // variant is for: `quantity`, `over_intensity`, `is_difference`, `is_reduced`. A software rasterizer runs both sides of every branch, so
 // one program for all maps would cost as much as all of them.
 

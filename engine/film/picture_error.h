@@ -8,7 +8,7 @@
 
 namespace pol {
 
-/// Errors relative to the picture, as `fro_c` measures them (performance.md 3.1): root mean square over pixels and
+/// Errors relative to the picture, as `fro_c` measures them (CUTTING.md 3): root mean square over pixels and
 /// wavelengths of ||dC||_F by that of ||C||_F, C the coherence matrix, ||C||_F^2 = (S0^2 + S1^2 + S2^2 + S3^2) / 2.
 /// Pixels without samples are left out.
 struct PictureError {

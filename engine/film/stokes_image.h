@@ -40,7 +40,7 @@ struct StokesImage {
     std::vector<Stokes<double>> stokes;
     StoredNumbers stored;  ///< of `stokes`
     /// Share of the pixel's throughput that was not traced, 0 to 1; the missing coherence matrix is positive
-    /// semidefinite with trace at most residual * brightest (performance.md 3.3).
+    /// semidefinite with trace at most residual * brightest (CUTTING.md 1.2).
     std::vector<double> residual;
     /// Share that was estimated by one random path instead; the estimate and the truth both lie in 0..tail * brightest.
     std::vector<double> tail;

@@ -16,7 +16,8 @@ bool is_amount(double light) {
     return std::isfinite(light) && light >= 0.0;
 }
 
-/// Bar of a Stokes component divided by S0: the part of share_bounds (bounds.h) that counts for a signed one.
+/// Bar of a Stokes component divided by S0: the part of share_bounds (polarization/bounds.h) that counts for a signed
+/// one.
 Interval<double> signed_share(double part, const Interval<double>& bar, const PixelLight& light) {
     const double least = light.stokes.s0 + light.missing - light.surplus;
     if (!(least > 0.0)) return {-1.0, 1.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rigorous error bar of each pixel, from the light that was not traced (performance.md 3.3).
+// The rigorous error bar of each pixel, from the light that was not traced (CUTTING.md 1.2).
 #pragma once
 
 #include <cstddef>

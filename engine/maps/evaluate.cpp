@@ -45,7 +45,7 @@ Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>&
         case Quantity::ellipticity:
             return {m.ellipticity, fade, m.has_polarization, spread_of(bars.ellipticity, 1.0)};
         case Quantity::handedness:
-            // sin(2 chi) = S3 / p, from the angle that measures.h has in its stable form.
+            // sin(2 chi) = S3 / p, from the angle that Measures has in its stable form.
             return {std::sin(2.0 * m.ellipticity_angle), fade, m.has_polarization,
                     spread_of(bars.ellipticity_angle, pi / 2.0)};
         case Quantity::azimuth:

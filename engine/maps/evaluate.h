@@ -50,7 +50,7 @@ struct Map {
 inline constexpr double full_weight_polarization = 0.05;
 
 /// Part of S0 up to which a component of a pixel is rounding noise: the pixel is the sum of up to a thousand leaves and
-/// samples that weigh anything (physics.md section 1).
+/// samples that weigh anything (PHYSICS.md 1).
 inline constexpr double pixel_noise = noise_threshold(1000.0);
 
 /// How far light is from being some, 0 if it is; NaN unless finite. A picture file rounds S0 and the polarized part by

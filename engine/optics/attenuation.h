@@ -27,7 +27,7 @@ Real pair_absorption(const AbsorptionAt& alpha, const Real& n, const Vec3<Real>&
     return Real(alpha.ordinary) * n / sqrt(length2(k));
 }
 
-/// Absorption coefficient of a weakly absorbing crystal mode along its ray (physics.md 2.9):
+/// Absorption coefficient of a weakly absorbing crystal mode along its ray (PHYSICS.md 2.9):
 /// alpha = k0 E^H eps'' E / |Re(E x H*)| with eps'' = n alpha / k0 along each principal axis and, for unit E,
 /// |E x H| = dot(k, ray). Reduces to `ordinary` for an o wave and to `extraordinary` for an e wave across the axis.
 /// Requires: `field`, `ray` and `axis` unit, dot(k, ray) > 0.

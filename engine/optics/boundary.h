@@ -6,7 +6,7 @@
 // |amplitude|^2 is the ratio of the energy fluxes through the boundary, so at a lossless boundary the
 // matrix of amplitudes over the propagating waves has orthonormal columns.
 //
-// Backward step (physics.md 2.8): hand in the camera ray as if it were light. With symmetric permittivities
+// Backward step (PHYSICS.md 2.8): hand in the camera ray as if it were light. With symmetric permittivities
 // S_ij(k_t) = S_ji(-k_t) for the same field vectors, so light travelling the other way is transformed by the
 // transpose of `amplitude`.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The equations of a plane boundary, one function per pair of media
-// (physics.md 2.1 to 2.7). Use respond() of boundary_solver.h.
+// (PHYSICS.md 2.1 to 2.7). Use respond() of boundary_solver.h.
 //
 // Isotropic media, transparent or absorbing, and conductors: Fresnel. With a
 // crystal on one side, the two amplitudes on the isotropic side are eliminated

@@ -15,7 +15,7 @@ namespace pol {
 /// State of the light that leaves such an emitter of unit basic radiance along `light_direction` into a medium of index
 /// `n`, in the basis (e1, e2).
 ///
-/// By reciprocity (physics.md 2.8): a wave sent back along the light enters the crystal, and the transpose of the
+/// By reciprocity (PHYSICS.md 2.8): a wave sent back along the light enters the crystal, and the transpose of the
 /// amplitudes of its transmitted mode is what light in that mode turns into on its way out. The light in the crystal is
 /// unpolarized, half of it in the mode that passes: the trace is 1/2, or with `fresnel` 1/2 times the transmittance of
 /// the exit face for that mode.

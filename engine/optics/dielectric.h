@@ -18,7 +18,7 @@ enum class MediumKind : std::uint8_t {
 ///
 /// Invariant: n > 0, n_e > 0, kappa >= 0, |axis| = 1. A uniaxial medium has n != n_e: equal indices are
 /// made isotropic by `make_uniaxial`, so that glass and its crystal twin run the same arithmetic
-/// (physics.md section 4, case 14).
+/// (PHYSICS.md 4, case 14).
 template <class Real>
 struct Dielectric {
     MediumKind kind = MediumKind::isotropic;

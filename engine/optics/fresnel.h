@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fresnel's formulas for isotropic media, transparent, absorbing or metals (physics.md 2.1, 2.2).
+// Fresnel's formulas for isotropic media, transparent, absorbing or metals (PHYSICS.md 2.1, 2.2).
 //
 // Everything follows from q1 = n1 cos(theta1), the normal component of the incident wave vector in units of omega/c: so
 // that grazing incidence keeps its relative accuracy. With kappa^2 = k_t^2 = n1^2 - q1^2, which both media share,

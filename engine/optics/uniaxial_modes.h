@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ordinary and extraordinary waves of a uniaxial crystal at a boundary (physics.md 2.5).
+// The ordinary and extraordinary waves of a uniaxial crystal at a boundary (PHYSICS.md 2.5).
 //
 // In the frame of incidence k = (k_t, 0, q), with permittivities eps_o = n_o^2 across the optic axis c and eps_e =
 // n_e^2 along it.

@@ -138,7 +138,7 @@ double brightest_per_radiance(const EmittedState& state) {
                       state);
 }
 
-/// Smallest N^2 (physics.md 2.3) of any mode of the medium; for e waves N^2 = n_e^4 n_o^2 / n_r^4 with n_r between the
+/// Smallest N^2 (PHYSICS.md 2.3) of any mode of the medium; for e waves N^2 = n_e^4 n_o^2 / n_r^4 with n_r between the
 /// two indices.
 double smallest_ray_index2(const Dielectric<double>& d) {
     const double n_o2 = d.n * d.n;

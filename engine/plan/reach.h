@@ -13,7 +13,7 @@ namespace pol {
 /// The solid as geometry/overlap.h takes it; borrows.
 SolidRef solid_ref(const Solid& solid);
 
-/// How far a surface may be from where it belongs, see mesh_check.h.
+/// How far a surface may be from where it belongs, see geometry/mesh_check.h.
 double slack(const SurfaceShape& shape);
 
 /// A box along the axes.

@@ -3,7 +3,7 @@
 //
 // truth = estimate + A - B,  A and B positive semidefinite,  tr A <= missing,  tr B <= surplus.
 //
-// A is light that was not traced; B is a random tail that stands in for it (performance.md 3.3, made two-sided).
+// A is light that was not traced; B is a random tail that stands in for it (CUTTING.md 1.2).
 // The Stokes vector of a positive semidefinite matrix has |(s1, s2, s3)| <= s0 = trace, so the polarized part of the
 // truth lies in a ball of radius missing + surplus about that of the estimate, and S0 in [S0 - surplus, S0 + missing].
 #pragma once

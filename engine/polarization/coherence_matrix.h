@@ -52,7 +52,7 @@ constexpr Real determinant(const CoherenceMatrix<Real>& j) {
     return j.xx * j.yy - norm2(j.xy);
 }
 
-/// physics.md section 1: s2 = 2 Re J_xy, s3 = 2 Im J_xy.
+/// PHYSICS.md 1: s2 = 2 Re J_xy, s3 = 2 Im J_xy.
 template <class Real>
 constexpr Stokes<Real> to_stokes(const CoherenceMatrix<Real>& j) {
     return {j.xx + j.yy, j.xx - j.yy, Real(2) * j.xy.re, Real(2) * j.xy.im};

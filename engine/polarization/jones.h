@@ -34,7 +34,7 @@ struct JonesMatrix {
     friend constexpr bool operator==(const JonesMatrix&, const JonesMatrix&) = default;
 };
 
-/// The same path walked the other way, with the same field vectors (physics.md 2.8).
+/// The same path walked the other way, with the same field vectors (PHYSICS.md 2.8).
 template <class Real>
 constexpr JonesMatrix<Real> transpose(const JonesMatrix<Real>& a) {
     return {a.xx, a.yx, a.xy, a.yy};
@@ -45,7 +45,7 @@ constexpr JonesMatrix<Real> adjoint(const JonesMatrix<Real>& a) {
     return {conj(a.xx), conj(a.yx), conj(a.xy), conj(a.yy)};
 }
 
-/// tr(A^H A)/2: the share of unpolarized light that A passes. The weight of a tree node (performance.md 3.3).
+/// tr(A^H A)/2: the share of unpolarized light that A passes. The weight of a tree node (CUTTING.md 1.1).
 template <class Real>
 constexpr Real mean_transmittance(const JonesMatrix<Real>& a) {
     return (norm2(a.xx) + norm2(a.xy) + norm2(a.yx) + norm2(a.yy)) / Real(2);

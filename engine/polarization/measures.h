@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person wants to know about a polarization state, in forms that neither cancel nor overflow
-// (physics.md section 1, "Derived quantities").
+// (PHYSICS.md 1, "Derived quantities").
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace pol {
 
 /// Noise threshold tau of a Stokes vector that was summed from `terms` parts, relative to S0: rounding leaves about
-/// 1e-15 per term in each component (physics.md section 1, "Undefined states").
+/// 1e-15 per term in each component (PHYSICS.md 1, "Undefined states").
 template <class Real = double>
 constexpr Real noise_threshold(double terms) {
     return Real(terms * 1e-15);

@@ -42,7 +42,7 @@ constexpr MuellerMatrix<Real> to_mueller(const JonesMatrix<Real>& a) {
 }
 
 /// Mueller matrix of the reversed path in the same field vectors: Theta M^T Theta, Theta = diag(1, 1, 1, -1).
-/// Belongs to the transpose of the Jones matrix (physics.md section 1).
+/// Belongs to the transpose of the Jones matrix (PHYSICS.md 1).
 template <class Real>
 constexpr MuellerMatrix<Real> reversed(const MuellerMatrix<Real>& a) {
     MuellerMatrix<Real> result;

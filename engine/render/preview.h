@@ -33,7 +33,7 @@ public:
     void add(const PreviewStrip& strip);
 
     /// Indices of the tiles, most important first: those with much light, with contrast, and with light that the
-    /// preview did not trace (performance.md 4, row 14). Equally important ones stay in the order of lines.
+    /// preview did not trace (CUTTING.md 2.5). Equally important ones stay in the order of lines.
     [[nodiscard]] std::vector<int> order(const std::vector<TileRect>& tiles) const;
 
 private:

@@ -156,7 +156,7 @@ RenderProgress RenderJob::progress() const {
     double left = seconds_to_limit();
     if (progress.done > 0.0) left = std::min(left, seconds_ / progress.done - seconds_);
     if (!reports_.empty() && sampling_limit(reports_.back()) && rules_.error) {
-        // Halves of quasi-random samples: the error falls like N^-0.75 (performance.md 0.8).
+        // Halves of quasi-random samples: the error falls like N^-0.75 (CUTTING.md 4).
         const double factor = std::pow(2.0 * *sampling_limit(reports_.back()) / *rules_.error, 4.0 / 3.0);
         left = std::min(left, std::max(0.0, reports_.back().seconds * factor - seconds_));
     }

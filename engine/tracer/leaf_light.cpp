@@ -34,7 +34,7 @@ CoherenceMatrix<double> fixed_state(const PlanFixedState& state, const Node& nod
     return {element(field[0], field[0]).re, element(field[1], field[1]).re, element(field[0], field[1])};
 }
 
-/// (n_camera / N)^2 with N^2 of physics.md 2.3: from radiance at the leaf to radiance at the camera. For a pair along
+/// (n_camera / N)^2 with N^2 of PHYSICS.md 2.3: from radiance at the leaf to radiance at the camera. For a pair along
 /// the axis of a crystal the ordinary index stands for both modes.
 double radiance_factor(const Dielectric<double>& medium, const Wave<double>& wave, double camera_n) {
     double n2 = medium.n * medium.n;

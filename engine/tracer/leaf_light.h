@@ -12,7 +12,7 @@
 namespace pol {
 
 /// Light of the uniform surroundings on a ray that leaves the scene, one Stokes vector per wavelength of the group.
-/// camera_n: index at the camera; radiance there is n_camera^2 times basic radiance (physics.md 2.3).
+/// camera_n: index at the camera; radiance there is n_camera^2 times basic radiance (PHYSICS.md 2.3).
 void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n,
                       std::span<Stokes<double>> light);
 

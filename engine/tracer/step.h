@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One backward step: what a boundary or a thin sheet makes of a branch. The interface is solved as if the camera ray
-// were light; light going the other way is transformed by the transpose (physics.md 2.8).
+// were light; light going the other way is transformed by the transpose (PHYSICS.md 2.8).
 #pragma once
 
 #include <cmath>

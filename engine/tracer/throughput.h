@@ -15,7 +15,7 @@
 namespace pol {
 
 /// m[row][column]: camera axis (0 = x, 1 = y) times field vector of the ray. A crystal mode uses column 0 only.
-/// Amplitudes are flux-normalised, so |M a|^2 is basic radiance (physics.md 2.3, 2.8).
+/// Amplitudes are flux-normalised, so |M a|^2 is basic radiance (PHYSICS.md 2.3, 2.8).
 template <class Real>
 struct Throughput {
     Complex<Real> m[2][2]{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel: one sample of one pixel, followed backward as a tree that is cut by energy (performance.md 3.3, 4).
+// The kernel: one sample of one pixel, followed backward as a tree that is cut by energy (CUTTING.md 1 and 2).
 //
 // Every open branch carries the matrix that takes light on it to the camera, and the weight w = tr(M^H M)/2 of that
 // matrix. At a lossless interface the weights of the children add to the parent's, so at every moment
@@ -300,7 +300,7 @@ private:
 
     /// One random path stands for all open branches: chosen with probability w / open at the root and at every
     /// branching, and rescaled so that it always weighs `open`. Its estimate then never exceeds open * L_max
-    /// (performance.md 4, row 3).
+    /// (CUTTING.md 2.2).
     void follow_tail(const TraceTask& task, double open) {
         std::uint32_t dimension = first_tail_dimension;
         double pick = random_unit(task.key, dimension++) * open;

@@ -221,7 +221,7 @@ class Signals(ProgramTest):
                 process.send_signal(sign)
                 began = time.monotonic()
                 self.assertEqual(process.wait(60), code)
-                self.assertLess(time.monotonic() - began, 5.0)  # performance.md 6.2
+                self.assertLess(time.monotonic() - began, 5.0)
                 self.assertIn("stopped", process.stderr.read())
                 self.assertNotIn("progress 100.0%", process.stdout.read())
                 self.succeed("maps", name, "--map", "dop", "-o", "dop.png")

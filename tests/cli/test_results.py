@@ -120,7 +120,7 @@ class Explain(ProgramTest):
                         total = [a + b for a, b in zip(total, tree["nodes"][leaf]["share"])]
                     self.assertEqual(total, tree["stokes"])
                     energy = tree["resolved"] + tree["absorbed"] + tree["residual"] + tree["tail"]
-                    self.assertAlmostEqual(energy, 1.0, delta=1e-11)  # design.md 3.2
+                    self.assertAlmostEqual(energy, 1.0, delta=1e-11)  # CUTTING.md 1.1
                     s0, s1, s2, s3 = tree["stokes"]
                     self.assertLessEqual(math.hypot(s1, s2, s3), s0 * (1 + 1e-12))
                     low, high = tree["bounds"]["s0"]

@@ -249,7 +249,7 @@ TEST(FilmViewer, ABlackPictureFromWhichLightIsMissingHasNoRelativeError) {
     EXPECT_FALSE(film.status().error.sampling) << "two black halves agree, and have seen nothing";
 }
 
-// The limits of performance.md with every plane in use: 200 B at one wavelength, 1.5 KiB at 21 with a tree each.
+// With every plane in use: 200 B a pixel at one wavelength, 1.5 KiB at 21 with a tree each.
 TEST(FilmViewer, EveryPlaneTogetherFitsIntoTheMemoryBudget) {
     for (const int wavelengths : {1, 21}) {
         FilmLayout layout = layout_of(64, 64, 32);

@@ -51,7 +51,7 @@ ComplexIndex shipped(const std::string& name, double nm) {
     return value.value();
 }
 
-// physics.md section 3, computed there from the published coefficients; six decimals.
+// PHYSICS.md 3, computed there from the published coefficients; six decimals.
 TEST(ShippedRecords, HaveTheIndicesOfTheLiterature) {
     const struct {
         const char* name;
@@ -88,7 +88,7 @@ TEST(ShippedRecords, HaveTheIndicesOfTheLiterature) {
     EXPECT_NEAR(shipped("water", 589.3).n, 1.3333, 1e-4);
 }
 
-// physics.md section 3: linear between the tabulated points; three decimals.
+// PHYSICS.md 3: linear between the tabulated points; three decimals.
 TEST(ShippedRecords, HaveTheComplexIndicesOfTheMetals) {
     const struct {
         const char* name;

@@ -269,7 +269,7 @@ TEST(SceneFile, CrystalStandsForThePairOfItsRecords) {
     const auto& b = std::get<UniaxialMedium>(longhand.media[0].matter);
     EXPECT_EQ(a.ordinary, b.ordinary);
     EXPECT_EQ(a.extraordinary, b.extraordinary);
-    // Ghosh 1999 at 589.3 nm, six decimals (physics.md section 3).
+    // Ghosh 1999 at 589.3 nm, six decimals (PHYSICS.md 3).
     EXPECT_NEAR(index_at(a.ordinary, 589.3).value().n, 1.658343, 5e-7);
     EXPECT_NEAR(index_at(a.extraordinary, 589.3).value().n, 1.486130, 5e-7);
 }

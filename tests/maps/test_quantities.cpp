@@ -166,7 +166,7 @@ TEST(Evaluate, ShowsHowFarAVectorIsFromBeingLight) {
 }
 
 // S0 in [2, 2.1]; the missing light can add 0.1 to the polarized part 1 or take 0.1 from it: P between 0.9/2.1 and
-// 1.1/2.1 around 0.5 (performance.md 3.3). Azimuth: asin(0.1) / 2. b/a: tan(asin(0.1) / 2).
+// 1.1/2.1 around 0.5 (CUTTING.md 1.2). Azimuth: asin(0.1) / 2. b/a: tan(asin(0.1) / 2).
 TEST(ErrorBars, AreThoseOfTheLightThatWasNotTraced) {
     StokesImage image = with_residual(one_pixel({2.0, 1.0, 0.0, 0.0}), 0.05);
     image.brightest = {2.0};

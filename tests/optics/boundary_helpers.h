@@ -17,7 +17,7 @@ const DVec3 up(0.0, 0.0, 1.0);
 
 inline const Dielectric<double> air = make_isotropic(1.0);
 inline const Dielectric<double> glass = make_isotropic(1.5);
-/// The literal calcite of physics.md section 5.
+/// The literal calcite of PHYSICS.md 5.
 inline Dielectric<double> calcite(const DVec3& axis) {
     return make_uniaxial(1.6584, 1.4864, axis);
 }

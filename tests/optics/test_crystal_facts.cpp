@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of physics.md section 5 B that concern one interface. Calcite is (1.6584, 1.4864) literally.
+// Facts of PHYSICS.md 5 B that concern one interface. Calcite is (1.6584, 1.4864) literally.
 #include <gtest/gtest.h>
 
 #include "optics/boundary_helpers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of physics.md section 4 that concern one interface and are not facts with numbers of their own.
+// The cases of PHYSICS.md 4 that concern one interface and are not facts with numbers of their own.
 #include <gtest/gtest.h>
 
 #include "optics/boundary_helpers.h"
@@ -13,7 +13,7 @@ double both(const BoundaryResponse<double>& r, Side side, WaveKind kind) {
     return power(r, side, kind, 0) + power(r, side, kind, 1);
 }
 
-TEST(Degenerate, AWaveAlongTheAxisIsOnePairWithTheOrdinaryIndex) {  // row 1
+TEST(Degenerate, AWaveAlongTheAxisIsOnePairWithTheOrdinaryIndex) {  // case 1
     const DVec3 axis = unit(DVec3(1.0, 2.0, 3.0));
     const auto waves = waves_of_wave_normal(calcite(axis), axis);
     ASSERT_EQ(waves.count, 1);
@@ -31,7 +31,7 @@ TEST(Degenerate, AWaveAlongTheAxisIsOnePairWithTheOrdinaryIndex) {  // row 1
     }
 }
 
-TEST(Degenerate, NextToTheAxisThePairAsAWholeStaysGood) {  // row 2
+TEST(Degenerate, NextToTheAxisThePairAsAWholeStaysGood) {  // case 2
     const DVec3 s = unit(DVec3(0.3, -0.2, 0.9));
     for (const double angle : {1e-12, 1e-9, 1e-6, 1e-3}) {
         const DVec3 axis = unit(s + angle * any_perpendicular(s));
@@ -51,7 +51,7 @@ TEST(Degenerate, NextToTheAxisThePairAsAWholeStaysGood) {  // row 2
     }
 }
 
-TEST(Degenerate, TheAxisAlongTheNormalNeverMixesPolarizations) {  // row 3
+TEST(Degenerate, TheAxisAlongTheNormalNeverMixesPolarizations) {  // case 3
     for (const double angle : {0.1, 0.7, 1.5}) {
         const auto r = arrive(air, calcite(up), up, tilted(angle));
         EXPECT_EQ(power(r, Side::transmitted, WaveKind::ordinary, 1), 0.0);
@@ -62,7 +62,7 @@ TEST(Degenerate, TheAxisAlongTheNormalNeverMixesPolarizations) {  // row 3
     }
 }
 
-TEST(Degenerate, TheAxisInTheFaceSplitsNoRaysAtNormalIncidence) {  // row 4
+TEST(Degenerate, TheAxisInTheFaceSplitsNoRaysAtNormalIncidence) {  // case 4
     const auto r = arrive(air, calcite({1.0, 1.0, 0.0}), up, up);
     const auto* o = find(r, Side::transmitted, WaveKind::ordinary);
     const auto* e = find(r, Side::transmitted, WaveKind::extraordinary);
@@ -71,7 +71,7 @@ TEST(Degenerate, TheAxisInTheFaceSplitsNoRaysAtNormalIncidence) {  // row 4
     EXPECT_NEAR(e->wave.k.z, 1.4864, 4.0 * eps);
 }
 
-TEST(Degenerate, TheAxisAcrossThePlaneOfIncidenceGivesSnellForBothWaves) {  // row 5
+TEST(Degenerate, TheAxisAcrossThePlaneOfIncidenceGivesSnellForBothWaves) {  // case 5
     const double angle = 0.8;
     const auto r = arrive(air, calcite({0.0, 1.0, 0.0}), up, tilted(angle));
     const auto as_glass = [&](double n) { return arrive(air, make_isotropic(n), up, tilted(angle)); };
@@ -82,11 +82,11 @@ TEST(Degenerate, TheAxisAcrossThePlaneOfIncidenceGivesSnellForBothWaves) {  // r
     EXPECT_NEAR(std::sin(angle) / 1.4864, find(r, Side::transmitted, WaveKind::extraordinary)->wave.ray.x, 4.0 * eps);
 }
 
-TEST(Degenerate, TheAxisInThePlaneOfIncidenceDoesNotConvert) {  // row 6
+TEST(Degenerate, TheAxisInThePlaneOfIncidenceDoesNotConvert) {  // case 6
     const auto r = arrive(air, calcite({1.0, 0.0, 2.0}), up, tilted(0.6));
     EXPECT_EQ(power(r, Side::transmitted, WaveKind::ordinary, 1), 0.0);
     EXPECT_EQ(power(r, Side::transmitted, WaveKind::extraordinary, 0), 0.0);
-    // r_p = (eta1 - eta2)/(eta1 + eta2), eta = q/n^2 and n.eps k/(eps_o eps_e) (physics.md 2.7)
+    // r_p = (eta1 - eta2)/(eta1 + eta2), eta = q/n^2 and n.eps k/(eps_o eps_e) (PHYSICS.md 2.7)
     const auto* e = find(r, Side::transmitted, WaveKind::extraordinary);
     const double eps_o = 1.6584 * 1.6584, eps_e = 1.4864 * 1.4864;
     const DVec3 c = unit(DVec3(1.0, 0.0, 2.0));
@@ -95,7 +95,7 @@ TEST(Degenerate, TheAxisInThePlaneOfIncidenceDoesNotConvert) {  // row 6
     EXPECT_NEAR(find(r, Side::reflected, WaveKind::pair)->amplitude[1][1].re, (eta1 - eta2) / (eta1 + eta2), 8.0 * eps);
 }
 
-TEST(Degenerate, NormalIncidenceDoesNotDependOnTheChoiceOfAxes) {  // rows 7, 35
+TEST(Degenerate, NormalIncidenceDoesNotDependOnTheChoiceOfAxes) {  // cases 7, 35
     // Turning the whole problem turns the answer: unpolarized powers stay.
     const auto reference = arrive(air, calcite({1.0, 0.0, 1.0}), up, up);
     Dice dice(7);
@@ -115,7 +115,7 @@ TEST(Degenerate, NormalIncidenceDoesNotDependOnTheChoiceOfAxes) {  // rows 7, 35
     }
 }
 
-TEST(Degenerate, GrazingLightIsReflectedByCrystalsToo) {  // row 8
+TEST(Degenerate, GrazingLightIsReflectedByCrystalsToo) {  // case 8
     for (const double off : {1e-3, 1e-6, 1e-9}) {
         const auto r = arrive(air, calcite({1.0, 2.0, 3.0}), up, DVec3(std::cos(off), 0.0, std::sin(off)));
         for (std::size_t j = 0; j < 2; ++j) {
@@ -129,7 +129,7 @@ TEST(Degenerate, GrazingLightIsReflectedByCrystalsToo) {  // row 8
     EXPECT_FALSE(arrive(air, calcite(up), up, DVec3(0.6, 0.0, -0.8)).incident);
 }
 
-TEST(Degenerate, AWaveNearTheAxisThatGrazesAFaceFromInsideKeepsAllItsEnergy) {  // rows 2 and 8 at once
+TEST(Degenerate, AWaveNearTheAxisThatGrazesAFaceFromInsideKeepsAllItsEnergy) {  // cases 2 and 8 at once
     // Also where the mirror image, not the wave itself, comes near the axis. About a hundred roundings of powers of
     // order 1 stand between the inputs and the sum.
     constexpr double rounding = 100.0 * eps;
@@ -153,7 +153,7 @@ TEST(Degenerate, AWaveNearTheAxisThatGrazesAFaceFromInsideKeepsAllItsEnergy) {  
     }
 }
 
-TEST(Degenerate, AnExactlyCriticalWaveTakesNothing) {  // row 9
+TEST(Degenerate, AnExactlyCriticalWaveTakesNothing) {  // case 9
     // n_o = 2 is met at exactly k_t = n_o by a wave of index 2.5 at (0.8, 0, 0.6): 2.5 * 0.8 = 2.
     const Wave<double> wave{WaveKind::pair, {2.0, 0.0, 1.5}, {0.8, 0.0, 0.6}, {{0.0, 1.0, 0.0}, {-0.6, 0.0, 0.8}}};
     const auto r = respond(make_isotropic(2.5), make_uniaxial(2.0, 1.5, DVec3(1.0, 2.0, 3.0)), up, wave);
@@ -166,7 +166,7 @@ TEST(Degenerate, AnExactlyCriticalWaveTakesNothing) {  // row 9
     EXPECT_NEAR(power(inside, Side::reflected, WaveKind::extraordinary, 0), 1.0, 16.0 * eps);
 }
 
-TEST(Degenerate, PowersAreContinuousAcrossTheCriticalAngles) {  // row 10
+TEST(Degenerate, PowersAreContinuousAcrossTheCriticalAngles) {  // case 10
     const auto crystal = calcite({1.0, 2.0, 3.0});
     const double critical = std::asin(1.6584 / 2.5);
     double before[2] = {-1.0, -1.0};
@@ -184,7 +184,7 @@ TEST(Degenerate, PowersAreContinuousAcrossTheCriticalAngles) {  // row 10
     }
 }
 
-TEST(Degenerate, BetweenTheCriticalAnglesOneWaveIsEvanescentAndTheReflectionElliptic) {  // row 11
+TEST(Degenerate, BetweenTheCriticalAnglesOneWaveIsEvanescentAndTheReflectionElliptic) {  // case 11
     const auto crystal = calcite({1.0, 2.0, 3.0});
     const DVec3 s = tilted(std::asin(1.6 / 2.5));  // e sheet ends below k_t = 1.6, o at 1.6584
     const auto waves = waves_of_wave_normal(make_isotropic(2.5), s);
@@ -200,7 +200,7 @@ TEST(Degenerate, BetweenTheCriticalAnglesOneWaveIsEvanescentAndTheReflectionElli
     EXPECT_GT(std::abs(a[0][0].im) + std::abs(a[1][1].im), 0.1);
 }
 
-TEST(Degenerate, InhibitedReflectionLeavesOneReflectedWave) {  // row 12
+TEST(Degenerate, InhibitedReflectionLeavesOneReflectedWave) {  // case 12
     const auto crystal = calcite({1.0, 1.0, 1.0});
     const Wave<double> o = waves_of_wave_normal(crystal, tilted(75.0 * degree)).wave[0];
     const auto dark = evanescent_modes(crystal, air, up, o);
@@ -210,7 +210,7 @@ TEST(Degenerate, InhibitedReflectionLeavesOneReflectedWave) {  // row 12
     EXPECT_EQ(respond(crystal, air, up, o).outgoing_count, 1);
 }
 
-TEST(Degenerate, EnergyDecidesWhatIsIncidentAndWhereItGoes) {  // row 13
+TEST(Degenerate, EnergyDecidesWhatIsIncidentAndWhereItGoes) {  // case 13
     // A strongly oblique crystal: the ray of a wave with k.n < 0 can point to the interface.
     const auto crystal = make_uniaxial(1.5, 2.5, DVec3(1.0, 0.0, 1.0));
     int backward = 0;
@@ -227,11 +227,11 @@ TEST(Degenerate, EnergyDecidesWhatIsIncidentAndWhereItGoes) {  // row 13
     EXPECT_GT(backward, 0);
 }
 
-TEST(Degenerate, EqualPrincipalIndicesAreGlassToTheBit) {  // row 14
+TEST(Degenerate, EqualPrincipalIndicesAreGlassToTheBit) {  // case 14
     EXPECT_EQ(make_uniaxial(1.5, 1.5, DVec3(1.0, 2.0, 3.0)), make_isotropic(1.5));
 }
 
-TEST(Degenerate, AlmostNoBirefringenceReflectsLikeGlass) {  // row 15
+TEST(Degenerate, AlmostNoBirefringenceReflectsLikeGlass) {  // case 15
     for (const double step : {1e-15, 1e-12, 1e-9, 1e-6}) {
         const auto crystal = make_uniaxial(1.5, 1.5 + step, DVec3(1.0, 2.0, 3.0));
         const auto r = arrive(air, crystal, up, tilted(0.9));
@@ -242,13 +242,13 @@ TEST(Degenerate, AlmostNoBirefringenceReflectsLikeGlass) {  // row 15
     }
 }
 
-TEST(Degenerate, HugeBirefringenceWalksOffBySeventyOneDegrees) {  // row 16
+TEST(Degenerate, HugeBirefringenceWalksOffBySeventyOneDegrees) {  // case 16
     const auto crystal = make_uniaxial(1.0, 6.0, up);
     const Wave<double> e = waves_of_wave_normal(crystal, tilted(std::atan(6.0))).wave[1];
     EXPECT_NEAR(std::tan(std::acos(dot(e.ray, unit(e.k)))), 35.0 / 12.0, 64.0 * eps);
 }
 
-TEST(Degenerate, AMetalLetsNothingThrough) {  // row 30
+TEST(Degenerate, AMetalLetsNothingThrough) {  // case 30
     for (const auto& from : {air, calcite({1.0, 2.0, 3.0})}) {
         const auto waves = waves_of_wave_normal(from, tilted(0.5));
         for (int w = 0; w < waves.count; ++w) {

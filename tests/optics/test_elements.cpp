@@ -81,7 +81,7 @@ TEST(Elements, ATiltedPolarizerIsTheSameFromBothFacesAndInAnyFrame) {
 }
 
 TEST(Elements, AQuarterWavePlateMakesDiagonalLightCircular) {
-    // Fast axis x: y gains +pi/2 with exp(-i omega t), so E_y = +i E_x: left circular, s3 < 0 (physics.md section 1).
+    // Fast axis x: y gains +pi/2 with exp(-i omega t), so E_y = +i E_x: left circular, s3 < 0 (PHYSICS.md 1).
     const Retarder quarter{x, 90.0 * degree};
     const auto plus45 = CoherenceMatrix<double>::outer({std::sqrt(0.5), std::sqrt(0.5)});
     const Stokes<double> s = to_stokes(transform(jones(quarter), plus45));

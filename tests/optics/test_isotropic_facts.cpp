@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of physics.md section 5 A that concern one interface between isotropic media, and Fresnel's corner cases.
+// Facts of PHYSICS.md 5 A that concern one interface between isotropic media, and Fresnel's corner cases.
 #include <gtest/gtest.h>
 
 #include "optics/boundary_helpers.h"

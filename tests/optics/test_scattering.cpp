@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scattering matrix as a whole: unitary and reciprocal (physics.md 2.7, 2.8), amplitudes with their phases.
+// The scattering matrix as a whole: unitary and reciprocal (PHYSICS.md 2.7, 2.8), amplitudes with their phases.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crystals that absorb: each mode by its own coefficient over its own path (physics.md 2.9).
+// Crystals that absorb: each mode by its own coefficient over its own path (PHYSICS.md 2.9).
 #include "physics/crystal_scene.h"
 
 namespace pol::test {

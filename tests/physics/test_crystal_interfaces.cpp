@@ -16,7 +16,7 @@ Scene jewel_in_a_furnace() {
         "}\nobjects:\n  - {name: stone, shape: {brilliant: {diameter: 2}}, medium: crystal}\n");
 }
 
-// J = L/2 for what was traced and something between 0 and residual L for what was not (performance.md 3.3). Rounding:
+// J = L/2 for what was traced and something between 0 and residual L for what was not (CUTTING.md 1.2). Rounding:
 // thousands of leaves whose weights, 1 in all, passed through some 10 surfaces.
 TEST(CrystalInAFurnace, T38IsInvisibleAndUnpolarizedButForItsResidual) {
     const StokesImage image = render(jewel_in_a_furnace());

@@ -80,7 +80,7 @@ TEST(Plate, SendsEveryRayOutParallelToTheOneThatCameInOrToItsMirrorImage) {
 }
 
 // Radiance inside a mode is N^2 times basic radiance, N^2 = dS_k/dOmega_ray with dS_k = k^2 dOmega_k/cos(walk-off)
-// (physics.md 2.3). tan(theta_ray) = (eps_o/eps_e) tan(theta_k) gives dOmega_ray/dOmega_k. The lamp swallows what is
+// (PHYSICS.md 2.3). tan(theta_ray) = (eps_o/eps_e) tan(theta_k) gives dOmega_ray/dOmega_k. The lamp swallows what is
 // reflected back to it, so there is one pass only.
 TEST(Plate, DimsALampInsideByTheSolidAngleThatItsModeGains) {
     for (const double theta : {radians(20.0), radians(45.0), radians(80.0)}) {

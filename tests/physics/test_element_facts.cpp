@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// physics.md T13, T42 and T43 with ideal sheets, through whole scenes: Malus and what retarders do.
+// Facts T13, T42 and T43 with ideal sheets, through whole scenes: Malus and what retarders do.
 #include "physics/fact_scene.h"
 
 namespace pol::test {

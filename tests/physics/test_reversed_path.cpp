@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// physics.md T19 and 1 for whole paths: camera and lamp exchange places, and the Mueller matrix is transposed.
+// T19 and PHYSICS.md 1 for whole paths: camera and lamp exchange places, and the Mueller matrix is transposed.
 #include <array>
 
 #include "physics/fact_scene.h"

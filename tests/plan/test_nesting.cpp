@@ -126,7 +126,7 @@ objects:
 )" + objects);
 }
 
-// Lossless surroundings of radiance 1 are seen from a medium of index n with radiance n^2 (physics.md 2.3); the
+// Lossless surroundings of radiance 1 are seen from a medium of index n with radiance n^2 (PHYSICS.md 2.3); the
 // residual of 1e-12 may be missing, times n^2. Rays through the centre meet all spheres head-on.
 TEST(Nesting, TheCameraMayBeInGlassOrInABubbleInIt) {
     const std::string ball = "  - {name: ball, shape: {sphere: {radius: 2}}, medium: glass}\n";

@@ -145,7 +145,7 @@ TEST(Bounds, AreReachedByTheWorstLight) {
     EXPECT_DOUBLE_EQ(measure_bounds(round, missing, surplus).docp.low, (polarized - r) / s0);
 }
 
-// performance.md 3.3, one-sided: -(1+p) e/(S0+e) <= dp <= (1-p) e/(S0+e).
+// CUTTING.md 1.2, without a tail: -(1+p) e/(S0+e) <= dp <= (1-p) e/(S0+e).
 TEST(Bounds, WithoutATailAreTheOneSidedBarsOfTheNotes) {
     for (const double p : {0.3, 0.6, 0.9}) {
         for (const double e : {1e-4, 1e-2, 0.1}) {

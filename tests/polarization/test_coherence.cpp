@@ -44,7 +44,7 @@ private:
 
 TEST(Coherence, TheSixStandardStatesHaveTheirStokesVectors) {
     const double h = std::sqrt(0.5);
-    // Right circular light: E_y = -i E_x with exp(-i omega t) (physics.md section 1).
+    // Right circular light: E_y = -i E_x with exp(-i omega t) (PHYSICS.md 1).
     const struct {
         Jones field;
         Stokes<double> expected;

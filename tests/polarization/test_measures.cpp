@@ -49,7 +49,7 @@ TEST(Measures, AreThoseTheStateWasMadeFrom) {
     }
 }
 
-// tan(asin(s3/p)/2) errs by 1e-8 near circular light; the form in use does not (physics.md section 1).
+// tan(asin(s3/p)/2) errs by 1e-8 near circular light; the form in use does not (PHYSICS.md 1).
 TEST(Measures, EllipticityIsGoodToRoundingNextToCircular) {
     const double linear = 1e-9;
     const Measures<double> m = measure(Stokes<double>{1.0, linear, 0.0, std::sqrt((1.0 - linear) * (1.0 + linear))});

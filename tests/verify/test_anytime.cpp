@@ -14,7 +14,7 @@ bool go_on(std::size_t /*branches*/) {
     return true;
 }
 
-// performance.md 3.3: at every moment the light still missing is positive semidefinite and at most open * L_max. In a
+// CUTTING.md 1.2: at every moment the light still missing is positive semidefinite and at most open * L_max. In a
 // picture of pixel centers nothing else is wrong; the reference is known a thousand times better.
 TEST(Anytime, AtEveryMomentTheErrorIsWithinTheBoundAndBothFall) {
     Scene scene = test::shipped_scene("paper-glass-unpolarized");

@@ -49,7 +49,7 @@ bool go_on(const ConvergenceProgress& /*progress*/) {
     return true;
 }
 
-// performance.md 3.3: what was not traced bounds the Frobenius error, pixel by pixel and hence in the mean square.
+// CUTTING.md 1.2: what was not traced bounds the Frobenius error, pixel by pixel and hence in the mean square.
 TEST(Convergence, TheErrorOfTruncationNeverExceedsItsBound) {
     const Folder folder("polariscope-test-converge-bound");
     const auto result = converge(small_request("paper-glass-unpolarized.yaml", folder), go_on);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Metrics of pictures of which the error is known by construction (performance.md 3.1).
+// Metrics of pictures of which the error is known by construction (CUTTING.md 3).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -49,8 +49,7 @@ struct Printed {
     int decimals;
 };
 
-// physics.md section 5 prints these numbers, computed apart from this program (check_physics.py): the closed forms were
-// typed right.
+// PHYSICS.md 5 prints these numbers, computed apart from this program: the closed forms were typed right.
 TEST(ClosedForms, GiveTheNumbersOfTheNotes) {
     const Printed table[] = {
         {"T1", "reflectance of s", 0.1479289941, 10},

@@ -136,7 +136,7 @@ void wait(Session& session) {
     }
 }
 
-// R_s^2 / 2 of the lamp with polarization, (R_s / 2)^2 without (physics.md 2.4).
+// R_s^2 / 2 of the lamp with polarization, (R_s / 2)^2 without (PHYSICS.md 2.1).
 TEST(Comparison, OfTheUnpolarizedTwinIsWhatPolarizationDoesToTheIntensity) {
     auto scene = parse_scene(test::two_mirrors, "mirrors.yaml", POL_TESTS_DIR);
     ASSERT_TRUE(scene);

@@ -12,7 +12,7 @@
 namespace pol {
 namespace {
 
-// Malus: a polarizer at theta passes cos^2 theta of light that is linear along x (physics.md T13).
+// Malus: a polarizer at theta passes cos^2 theta of light that is linear along x (T13).
 TEST(Polarimeter, APolarizerPassesCosineSquaredOfLinearLight) {
     for (int degree = 0; degree <= 180; degree += 15) {
         const double theta = degree * 3.141592653589793 / 180.0;

@@ -9,6 +9,6 @@ namespace pol::shader_sources {
 std::string_view fullscreen_vert();
 std::string_view measures_glsl();
 std::string_view bounds_glsl();  ///< after measures
-std::string_view map_frag();     ///< after bounds and the constants of picture_renderer.cpp
+std::string_view map_frag();     ///< after bounds and the constants of picture/picture_renderer.cpp
 
 }  // namespace pol::shader_sources

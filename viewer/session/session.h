@@ -46,8 +46,8 @@ public:
     /// Shows the next (+1) or previous (-1) document.
     void step_document(int by);
 
-    /// The current scene with glass in place of its crystals, or without polarization (twins.h), as a document of its
-    /// own, shown as its difference from the current one. One that is open and was not edited is shown again.
+    /// The current scene with glass in place of its crystals, or without polarization (shown/twins.h), as a document of
+    /// its own, shown as its difference from the current one. One that is open and was not edited is shown again.
     bool open_isotropic_twin();
     bool open_unpolarized_twin();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polarization ellipses over the picture: which ones, and their shape. Drawing them is glyph_overlay.h.
+// Polarization ellipses over the picture: which ones, and their shape. Drawing them is panels/glyph_overlay.h.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 
 namespace pol {
 
-/// Rectangle in window coordinates (view_transform.h), logical points.
+/// Rectangle in window coordinates (shown/view_transform.h), logical points.
 struct ViewRect {
     DVec2 origin{0.0, 0.0};
     DVec2 size{0.0, 0.0};

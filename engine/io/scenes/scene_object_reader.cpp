@@ -70,7 +70,7 @@ Sheet read_sheet(const YamlValue& value) {
 }
 
 /// Degree p, azimuth psi, ellipticity e = b/a: s = p (cos 2chi cos 2psi, cos 2chi sin 2psi, +-sin 2chi) with tan chi =
-/// e (physics.md section 1); + is right-handed.
+/// e (PHYSICS.md 1); + is right-handed.
 FixedState read_ellipse(const YamlMap& map) {
     const double degree = map.at("dop").number();
     if (degree < 0.0 || degree > 1.0) map.at("dop").fail("must lie between 0 and 1", "1 is fully polarized");

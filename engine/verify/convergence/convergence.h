@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Error against run time: renders a scene at many settings, times each and holds it against a reference
-// (performance.md 2, 3 and 8).
+// (CUTTING.md 3, 4 and 5).
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a picture is from another one, in numbers that suit polarization (performance.md 3.1).
+// How far a picture is from another one, in numbers that suit polarization (CUTTING.md 3).
 #pragma once
 
 #include <array>

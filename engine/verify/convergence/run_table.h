@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row per timed render, as CSV (performance.md 8.4).
+// One row per timed render, as CSV (CUTTING.md 5.4).
 #pragma once
 
 #include <array>

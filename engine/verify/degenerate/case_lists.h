@@ -25,7 +25,7 @@ constexpr std::size_t usual_turns = 8;
 inline const std::string same_formulas = "the same formulas with 113 bits";
 
 inline const Dielectric<double> air = make_isotropic(1.0);
-/// The literal calcite of the physics notes, section 5.
+/// The literal calcite of PHYSICS.md 5.
 inline Dielectric<double> calcite(const DVec3& axis) {
     return make_uniaxial(1.6584, 1.4864, axis);
 }

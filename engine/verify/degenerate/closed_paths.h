@@ -53,7 +53,7 @@ inline std::vector<double> s0_and_s1(const OneRay& ray) {
 }
 
 /// A glass sphere of radius 1 in uniform light, met at the distance `offset` from its axis, cut after `depth` faces.
-/// Inputs: index, offset. T14 of the physics notes: 1 - (1 - R) R^(depth - 1).
+/// Inputs: index, offset. T14: 1 - (1 - R) R^(depth - 1).
 struct CutFurnace {
     int depth = 1;
     template <class Real>

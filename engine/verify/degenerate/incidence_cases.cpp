@@ -14,7 +14,7 @@ namespace {
 const DVec3 oblique_axis = unit(DVec3(1.0, 2.0, 3.0));  // in the frame of the face: x, s, normal
 
 /// Largest tangential wave vector of an e wave of calcite behind a face, its
-/// axis in the frame of the face: where the discriminant of physics.md 2.5
+/// axis in the frame of the face: where the discriminant of PHYSICS.md 2.5
 /// vanishes.
 double end_of_e_sheet(const DVec3& axis) {
     const Dielectric<double> crystal = calcite(axis);

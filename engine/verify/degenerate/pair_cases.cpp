@@ -41,7 +41,7 @@ double o_critical(const Bench& b) {
 }
 
 /// From inside: where k_t of the e wave is the index outside. From outside: where k_t ends the e sheet
-/// (physics.md 2.5).
+/// (PHYSICS.md 2.5).
 double e_critical(const Bench& b) {
     IncidenceFrame<double> frame;
     frame.x = {1.0, 0.0, 0.0};

@@ -29,7 +29,7 @@ Fact sum_of_equal_states() {
     Fact fact{
         "T46",
         "Two equal linear states at an angle theta add, incoherently, to P = |cos theta|, never to elliptic light.",
-        "coherence matrices add, physics.md 1"};
+        "coherence matrices add, PHYSICS.md 1"};
     const Tolerance tolerance = rounding(200.0 / 0.08, "two surfaces / 0.08");
     for (const double degree : {15.0, 60.0}) {
         const std::string name = fmt::format("{} degrees", degree);
@@ -44,7 +44,7 @@ Fact sum_of_equal_states() {
 
 Fact sum_of_orthogonal_states() {
     Fact fact{"T47", "Two equal orthogonal states add, incoherently, to unpolarized light.",
-              "coherence matrices add, physics.md 1"};
+              "coherence matrices add, PHYSICS.md 1"};
     const std::size_t view = add_view(fact, "", beam_splitter(90.0));
     expect(fact, view, "radiance", 0.08, rounding(32.0, "two surfaces"), of_pixel(s0));
     expect(fact, view, "degree of polarization", 0.0, rounding(200.0 / 0.08, "two surfaces / 0.08"), of_pixel(dop));
@@ -96,7 +96,7 @@ const Tolerance one_surface_degrees = rounding(64.0 * 60.0 * 4.0, "one surface a
 
 Fact rolled_camera() {
     Fact fact{"T48", "Rolling the camera by theta shifts the azimuth by -theta and changes nothing else.",
-              "rotation of the basis, physics.md 1"};
+              "rotation of the basis, PHYSICS.md 1"};
     const Stokes<double> s = elliptic_light();
     for (const double theta : {0.0, 20.0, -65.0}) {
         const std::string name = fmt::format("rolled by {} degrees", theta);
@@ -114,7 +114,7 @@ Fact rolled_camera() {
 
 Fact scale_of_light() {
     Fact fact{"T49", "Degree of polarization, ellipticity and azimuth do not depend on how bright the light is.",
-              "ratios of Stokes components, physics.md 1"};
+              "ratios of Stokes components, PHYSICS.md 1"};
     const Stokes<double> s = elliptic_light();
     for (const double radiance : {1e-30, 1.0, 1e30}) {
         const std::string name = fmt::format("radiance {}", radiance);
@@ -129,7 +129,7 @@ Fact scale_of_light() {
 
 Fact mirrored_scene() {
     Fact fact{"T50", "In a mirror S2 and S3 change sign; degree of polarization and ellipticity stay.",
-              "reflection of the basis, physics.md 1"};
+              "reflection of the basis, PHYSICS.md 1"};
     const Stokes<double> s = elliptic_light();
     for (const auto& [name, mirrored, sign] :
          {std::tuple{"scene", false, 1.0}, std::tuple{"its mirror image", true, -1.0}}) {

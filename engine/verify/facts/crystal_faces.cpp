@@ -59,7 +59,7 @@ std::string inside_calcite(double i) {
 
 Fact end_of_the_e_sheet() {
     Fact fact{"T31", "Inside calcite, beyond the end of the e sheet, all power stays in the reflected o wave.",
-              "physics.md 2.5: disc = 0 at k_t^2 = eps_e (2 eps_o + eps_e)/(eps_o + 2 eps_e)"};
+              "PHYSICS.md 2.5: disc = 0 at k_t^2 = eps_e (2 eps_o + eps_e)/(eps_o + 2 eps_e)"};
     const std::size_t steep = add_view(fact, "o at 75 degrees", inside_calcite(radians(75.0)));
     expect(fact, steep, "o reflected as o", 1.0, one_surface, kept_by("To Ro", "To"));
     const double end = std::sqrt(eps_e * (2.0 * eps_o + eps_e) / (eps_o + 2.0 * eps_e));
@@ -129,7 +129,7 @@ Fact oblique_axis() {
 Fact refraction_of_the_e_ray() {
     Fact fact{
         "T34", "The e ray follows its own law of refraction, which depends on the cut; the o ray follows Snell.",
-        "physics.md 5 T34: tan r = n_o s/(n_e sqrt(eps_e - s^2)), tan r = n_e s/(n_o sqrt(eps_o - s^2)), s = sin i"};
+        "PHYSICS.md 5, T34: tan r = n_o s/(n_e sqrt(eps_e - s^2)), tan r = n_e s/(n_o sqrt(eps_o - s^2)), s = sin i"};
     for (const double degree : {30.0, 60.0}) {
         const double i = radians(degree);
         const double s = std::sin(i);
@@ -162,7 +162,7 @@ Fact refraction_of_the_e_ray() {
 
 Fact furnace() {
     Fact fact{"T38", "In uniform unpolarized surroundings a crystal is invisible: J = L/2, P = 0.",
-              "physics.md 2.8: |S|^2 is doubly stochastic"};
+              "PHYSICS.md 2.8: |S|^2 is doubly stochastic"};
     const std::size_t view =
         add_view(fact, "",
                  camera_along(downward(0.7)) + picture("residual: 1e-13, node_budget: 200000") +

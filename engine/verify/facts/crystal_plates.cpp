@@ -63,7 +63,7 @@ double angle_off_axis(const DVec3& p) {
 
 Fact cut_across_the_axis() {
     Fact fact{"T21", "A calcite plate cut across its axis is, head on, glass of the ordinary index: no double image.",
-              "physics.md 4, case 1"};
+              "PHYSICS.md 4, case 1"};
     const std::size_t view = add_view(fact, "", plate_scene(calcite({0.0, 0.0, 1.0})));
     expect(fact, view, "transmittance", plate_transmittance(n_o), all_passes, of_pixel(s0));
     expect(fact, view, "degree of polarization", 0.0, all_passes, of_pixel(dop));
@@ -99,7 +99,7 @@ Fact axis_in_the_face() {
 
 Fact walk_off() {
     Fact fact{"T23", "In calcite with an oblique axis the e ray walks off sideways, by up to 6.26 degrees, head on.",
-              "physics.md 2.5: the ray is parallel to eps k"};
+              "PHYSICS.md 2.5: the ray is parallel to eps k"};
     for (const auto& [name, theta] :
          {std::pair{"axis at 45 degrees", radians(45.0)}, std::pair{"cleavage rhomb", radians(44.61)},
           std::pair{"steepest", std::atan(n_e / n_o)}}) {
@@ -156,7 +156,7 @@ Fact turned_plate() {
 Fact vanishing_birefringence() {
     Fact fact{"T35",
               "A plate that splits o from e, however little, polarizes as one face does at Brewster; glass as two.",
-              "o and e add incoherently, physics.md 6; T_p = 1, T_s = (2n/(1 + n^2))^2 per face"};
+              "o and e add incoherently, PHYSICS.md 6; T_p = 1, T_s = (2n/(1 + n^2))^2 per face"};
     const double brewster = std::atan(1.5);
     const DVec3 inside = downward(std::asin(std::sin(brewster) / 1.5));
     const DVec3 s(0.0, 1.0, 0.0);
@@ -215,7 +215,7 @@ Fact linear_light_through_a_thick_plate() {
 
 Fact absorbing_plate() {
     Fact fact{"T51", "Tourmaline polarizes by swallowing o; each mode is absorbed over its own path.",
-              "Beer-Lambert exp(-alpha l) on power, physics.md 2.9"};
+              "Beer-Lambert exp(-alpha l) on power, PHYSICS.md 2.9"};
     const std::size_t tourmaline = add_view(
         fact, "tourmaline",
         plate_scene("{ordinary: 1.640, extraordinary: 1.620, axis: [1, 0, 0], absorption_o: 200, absorption_e: 0}"));

@@ -86,7 +86,7 @@ const DVec3 taylor(0.0, 1.0, 0.0);    // axis in it, along the entrance face
 const double glan_cut = radians(38.5);
 
 /// Transmittance of one face of the gap for e. Foucault: s light in a medium of index n_e. Taylor: p light; the ratio
-/// of tangential E and H of an e wave is sqrt(eps_o eps_e (n.eps n - k_t^2))/(eps_o eps_e) (physics.md 2.7).
+/// of tangential E and H of an e wave is sqrt(eps_o eps_e (n.eps n - k_t^2))/(eps_o eps_e) (PHYSICS.md 2.7).
 double foucault_face() {
     return 1.0 - ClosedFresnel(1.0 / n_e, glan_cut).R_s();
 }

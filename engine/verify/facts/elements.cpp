@@ -154,14 +154,14 @@ std::vector<Fact> drop_facts() {
 
 std::vector<Fact> unmodelled_facts() {
     const char* incoherent = "o and e add incoherently, so a crystal plate has no retardance; sheets have (T52)";
-    return {not_modelled("T40", "Biaxial crystals have two optic axes, and cones of rays along them.", "physics.md 2.6",
+    return {not_modelled("T40", "Biaxial crystals have two optic axes, and cones of rays along them.", "PHYSICS.md 2.6",
                          "biaxial media are not traced"),
             not_modelled("T41", "A quarter-wave plate of crystal makes linear light at 45 degrees circular.",
-                         "physics.md 6", incoherent),
+                         "PHYSICS.md 6", incoherent),
             not_modelled("T42", "A half-wave plate of crystal at phi turns linear light by 2 phi and flips handedness.",
-                         "physics.md 6", incoherent),
+                         "PHYSICS.md 6", incoherent),
             not_modelled("T43", "A crystal plate between crossed polarizers passes sin^2(2 phi) sin^2(Gamma/2)/2.",
-                         "physics.md 6", incoherent)};
+                         "PHYSICS.md 6", incoherent)};
 }
 
 }  // namespace pol::verify

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of polarization optics with a closed form, each with scenes in which the tracer must show it. T1 to T50 are
-// those of physics.md section 5, T51 and up what it leaves out; `polariscope check facts` runs it and the window's
-// "Facts" menu opens its scenes.
+// Facts of polarization optics with a closed form (PHYSICS.md 5), each with scenes in which the tracer must show it:
+// `polariscope check facts` runs it and the window's "Facts" menu opens its scenes.
 #pragma once
 
 #include <cstddef>

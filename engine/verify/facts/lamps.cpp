@@ -17,7 +17,7 @@ const Tolerance one_surface = rounding(60.0, "one surface of a crystal");
 /// two isotropic media. Between the two critical angles of a positive crystal p is reflected totally and s is not.
 Fact between_two_critical_angles() {
     Fact fact{"T54", "Between the critical angles of a positive crystal o is reflected totally, e is not.",
-              "physics.md 2.5 with the axis across the plane of incidence; Born & Wolf 1.5.2"};
+              "PHYSICS.md 2.5 with the axis across the plane of incidence; Born & Wolf 1.5.2"};
     const double n1 = 1.7;
     const double n_small = 1.5;
     const double n_large = 1.65;
@@ -40,7 +40,7 @@ Fact between_two_critical_angles() {
 
 Fact lamp_inside_crystal() {
     Fact fact{"T55", "A lamp inside calcite shines out by o and by e, each dimmed by its own T and N^2.",
-              "physics.md 2.3: N^2 = n_o^2 for o, n_e^4 n_o^2/n_r^4 for e, n_r the ray index"};
+              "PHYSICS.md 2.3: N^2 = n_o^2 for o, n_e^4 n_o^2/n_r^4 for e, n_r the ray index"};
     const double across = e_index(radians(45.0));
     // tan rho = (eps_o - eps_e)/(eps_o + eps_e) at 45 degrees (T23); n_r = n cos rho.
     const double walk_off = std::atan((eps_o - eps_e) / (eps_o + eps_e));
@@ -94,7 +94,7 @@ Fact front_and_back() {
 
 Fact upright_picture() {
     Fact fact{"T58", "What is up and right in the scene is up and right in the picture; row 0 is the top row.",
-              "platform convention of images, physics.md section 1"};
+              "frame of the camera, PHYSICS.md 1"};
     // Pixel (22, 4) of 33 x 33 over a width of 3 has its centre at ((22.5 - 16.5), (16.5 - 4.5)) 3/33.
     const std::string scene =
         camera_above() + "objects:\n" + lamp("lamp", {6.0 * 3.0 / 33.0, 12.0 * 3.0 / 33.0, 0.0}, {0.0, 0.0, 1.0}, 0.3);

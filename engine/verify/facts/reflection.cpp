@@ -47,7 +47,7 @@ std::string from_inside_scene(double n, double i) {
 
 Fact brewster_reflection() {
     Fact fact{"T1", "Light reflected at Brewster's angle, tan i = n, is fully polarized across the plane of incidence.",
-              "Born & Wolf 1.5.3; physics.md 2.1"};
+              "Born & Wolf 1.5.3; PHYSICS.md 2.1"};
     const std::size_t view = add_view(fact, "", mirror_scene("1.5", brewster));
     const double n2 = n_glass * n_glass;
     expect(fact, view, "reflectance of p", 0.0, one_surface, of_pixel(p_share));
@@ -122,7 +122,7 @@ Fact diamond() {
     return fact;
 }
 
-/// n + ik at 580 nm between the two measured points around it, as physics.md section 3 prints them.
+/// n + ik at 580 nm between the two measured points around it, as PHYSICS.md 3 prints them.
 struct Metal {
     const char* record;
     double nm[2], n[2], k[2];
@@ -176,7 +176,7 @@ Fact reversed_handedness() {
     Fact fact{
         "T18",
         "A mirror met head on turns right circular light into left: the field goes on turning, the light comes back.",
-        "physics.md 2.1: r_p = -r_s at normal incidence"};
+        "PHYSICS.md 2.1: r_p = -r_s at normal incidence"};
     for (const auto& [name, medium, index] :
          {std::tuple{"glass", "1.5", Complex<double>(1.5)},
           std::tuple{"metal", "{conductor: [0.05, 3.8]}", Complex<double>(0.05, 3.8)}}) {
@@ -205,7 +205,7 @@ Measurement s_amplitude(Interaction side) {
 
 Fact reversed_ray() {
     Fact fact{"T19", "A ray and its reverse share R and T; their r are opposite, and t t' = 1 - r^2.",
-              "Stokes' relations, physics.md 2.1"};
+              "Stokes' relations, PHYSICS.md 2.1"};
     const double i = radians(45.0);
     const double n4 = std::pow(n_glass, 4);
     const ClosedFresnel f(n_glass, i);
@@ -228,7 +228,7 @@ Fact reversed_ray() {
 Fact lamp_inside_glass() {
     Fact fact{"T20",
               "A lamp inside glass looks dimmer from outside by T/n^2: its light spreads over a larger solid angle.",
-              "conservation of L/n^2, physics.md 2.3"};
+              "conservation of L/n^2, PHYSICS.md 2.3"};
     const std::size_t view = add_view(fact, "", refraction_scene(n_glass, 0.0));
     expect(fact, view, "radiance", (1.0 - normal_reflectance(n_glass)) / (n_glass * n_glass), one_surface,
            of_pixel(s0));

@@ -50,7 +50,7 @@ std::string polarized(std::string_view stokes);
 
 std::string box(std::string_view name, const DVec3& size, const DVec3& center, std::string_view medium);
 
-/// A medium: the literal calcite of physics.md section 5 with its axis in object space.
+/// A medium: the literal calcite of PHYSICS.md 5 with its axis in object space.
 std::string calcite(const DVec3& axis);
 
 /// Convex polygon in the xy plane, 2 high along z.

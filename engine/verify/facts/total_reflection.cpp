@@ -70,7 +70,7 @@ std::pair<double, double> angles_of_delay(double n, double delta) {
 
 Fact prism() {
     Fact fact{"T9", "Total reflection in glass turns light at +45 degrees right-handed elliptic.",
-              "Born & Wolf 1.5.4; physics.md 2.1: Delta = -2 atan(cos i sqrt(sin^2 i - 1/n^2)/sin^2 i)"};
+              "Born & Wolf 1.5.4; PHYSICS.md 2.1: Delta = -2 atan(cos i sqrt(sin^2 i - 1/n^2)/sin^2 i)"};
     const double critical = std::asin(1.0 / 1.5);
     const std::string light = polarized("[0, 1, 0]");
     for (const auto& [name, side, out] : {std::tuple{"1e-12 rad inside the critical angle", -1.0, 1.0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reciprocity: camera and end of a path exchange places, and the amplitudes are transposed (physics.md 2.8).
+// Reciprocity: camera and end of a path exchange places, and the amplitudes are transposed (PHYSICS.md 2.8).
 #include <algorithm>
 #include <cmath>
 #include <string>

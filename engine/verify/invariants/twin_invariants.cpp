@@ -68,7 +68,7 @@ InvariantResult twin_failed(const Error& error) {
 }
 
 /// True if all light that the picture sees leaves its source in a medium of the camera's index: else equal radiance
-/// everywhere is no equilibrium (physics.md 2.3).
+/// everywhere is no equilibrium (PHYSICS.md 2.3).
 bool shines_in_one_medium(const SceneUnderTest& test) {
     const Plan& plan = *test.plan;
     const auto index_of = [&](int region) {
