@@ -31,45 +31,63 @@ using verify::DegeneratePoint;
 using verify::DegenerateResult;
 
 struct StiffRequest {
-    std::vector<std::string> rows;
+    std::vector<std::string> sweeps;
     std::string folder;
     bool json = false;
 };
 
-/// The cases that a name means: the case itself, or all of a row's number.
-Result<std::vector<const DegenerateCase*>> chosen_cases(const StiffRequest& request) {
-    std::vector<const DegenerateCase*> chosen;
-    for (const DegenerateCase& one : verify::degenerate_cases()) {
-        const auto means_it = [&one](const std::string& word) {
-            return word == one.name || word == std::to_string(one.row);
-        };
-        if (request.rows.empty() || std::any_of(request.rows.begin(), request.rows.end(), means_it))
-            chosen.push_back(&one);
+bool is_meant(const DegenerateCase& one, const std::string& word) {
+    return word == one.name || word == one.group;
+}
+
+/// The groups, in the order of the cases.
+std::vector<std::string_view> groups() {
+    std::vector<std::string_view> names;
+    for (const DegenerateCase& one : verify::degenerate_cases())
+        if (names.empty() || names.back() != one.group) names.emplace_back(one.group);
+    return names;
+}
+
+/// "axis, incidence, ...".
+std::string list_of_groups() {
+    std::string list;
+    for (const std::string_view group : groups()) {
+        if (!list.empty()) list += ", ";
+        list += group;
     }
-    for (const std::string& word : request.rows) {
-        const auto fits = [&word](const DegenerateCase* one) {
-            return word == one->name || word == std::to_string(one->row);
-        };
-        if (std::any_of(chosen.begin(), chosen.end(), fits)) continue;
-        Error error{ErrorKind::usage, fmt::format("there is no case '{}'", word), {}, "--row", {}};
-        std::vector<std::string_view> names;
-        for (const DegenerateCase& one : verify::degenerate_cases()) names.push_back(one.name);
+    return list;
+}
+
+/// The cases that the names mean, each by itself or with its group.
+Result<std::vector<const DegenerateCase*>> chosen_cases(const StiffRequest& request) {
+    const std::vector<DegenerateCase>& all = verify::degenerate_cases();
+    for (const std::string& word : request.sweeps) {
+        if (std::any_of(all.begin(), all.end(), [&word](const DegenerateCase& one) { return is_meant(one, word); }))
+            continue;
+        Error error{ErrorKind::usage, fmt::format("there is no case and no group '{}'", word), {}, "--sweep", {}};
+        std::vector<std::string_view> names = groups();
+        for (const DegenerateCase& one : all) names.emplace_back(one.name);
         const auto nearest = nearest_word(word, names);
-        error.hint = nearest ? fmt::format("did you mean '{}'?", *nearest) : "polariscope check stiff lists all cases";
-        for (const verify::UntestedRow& row : verify::untested_rows())
-            if (word == std::to_string(row.row)) error.hint = fmt::format("row {} has no case: {}", row.row, row.why);
+        error.hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
+                             : "the groups are " + list_of_groups() + "; polariscope check stiff lists all cases";
         return error;
+    }
+    std::vector<const DegenerateCase*> chosen;
+    for (const DegenerateCase& one : all) {
+        const auto means_it = [&one](const std::string& word) { return is_meant(one, word); };
+        if (request.sweeps.empty() || std::any_of(request.sweeps.begin(), request.sweeps.end(), means_it))
+            chosen.push_back(&one);
     }
     return chosen;
 }
 
 void print_heading() {
-    fmt::print("{:>3}  {:<38}{:<22}{:>9}  {:>9}  {:>9}  {:>6}  {}\n", "row", "case", "knob", "error", "condition",
+    fmt::print("{:<11}{:<38}{:<22}{:>9}  {:>9}  {:>9}  {:>6}  {}\n", "group", "case", "knob", "error", "condition",
                "err/cond", "limit", "verdict");
 }
 
 void print_line(const DegenerateResult& r) {
-    fmt::print("{:>3}  {:<38}{:<22}{:>9.1e}  {:>9.1e}  {:>9.2g}  {:>6g}  {}\n", r.of->row, r.of->name,
+    fmt::print("{:<11}{:<38}{:<22}{:>9.1e}  {:>9.1e}  {:>9.2g}  {:>6g}  {}\n", r.of->group, r.of->name,
                verify::range_text(*r.of), r.worst.finding.error, r.worst.finding.condition, r.ratio, r.limit,
                r.sound     ? "sound"
                : !r.finite ? "UNSOUND: not a number"
@@ -80,10 +98,9 @@ void print_ending(const std::vector<DegenerateResult>& results, double seconds) 
     fmt::print(
         "\nerror: largest deviation from the reference; condition: how far one ulp of the inputs moves that result,\n"
         "and one ulp of itself; limit: rounded operations on the longest way from an input to a result.\n");
-    if (results.size() == verify::degenerate_cases().size() && !verify::untested_rows().empty()) {
-        fmt::print("\nRows without a case:\n");
-        for (const verify::UntestedRow& row : verify::untested_rows())
-            fmt::print("{:>3}  {}: {}\n", row.row, row.subject, row.why);
+    if (results.size() == verify::degenerate_cases().size() && !verify::untested_cases().empty()) {
+        fmt::print("\nCases without a sweep:\n");
+        for (const verify::UntestedCase& one : verify::untested_cases()) fmt::print("  {}: {}\n", one.subject, one.why);
     }
     const auto sound = std::count_if(results.begin(), results.end(), [](const DegenerateResult& r) { return r.sound; });
     fmt::print("\n{} of {} cases are sound ({}).\n", sound, results.size(), duration_text(seconds));
@@ -98,7 +115,7 @@ void print_json(const std::vector<DegenerateResult>& results) {
     out["sound"] = std::all_of(results.begin(), results.end(), [](const DegenerateResult& r) { return r.sound; });
     out["cases"] = nlohmann::ordered_json::array();
     for (const DegenerateResult& r : results) {
-        nlohmann::ordered_json entry{{"row", r.of->row},
+        nlohmann::ordered_json entry{{"group", r.of->group},
                                      {"case", r.of->name},
                                      {"sentence", r.of->sentence},
                                      {"knob", r.of->knob},
@@ -125,8 +142,8 @@ void print_json(const std::vector<DegenerateResult>& results) {
         out["cases"].push_back(entry);
     }
     out["untested"] = nlohmann::ordered_json::array();
-    for (const verify::UntestedRow& row : verify::untested_rows())
-        out["untested"].push_back({{"row", row.row}, {"subject", row.subject}, {"why", row.why}});
+    for (const verify::UntestedCase& one : verify::untested_cases())
+        out["untested"].push_back({{"subject", one.subject}, {"why", one.why}});
     fmt::print("{}\n", out.dump(2));
 }
 
@@ -168,14 +185,16 @@ void add_check_stiff_command(CLI::App& check, int& exit_code) {
     auto request = std::make_shared<StiffRequest>();
     CLI::App* command = check.add_subcommand(
         "stiff", "Drive every degenerate case towards its singular point and compare with more digits");
-    command->add_option("--row", request->rows, "Only this case, or all cases of a row's number; may be repeated");
+    command->add_option("--sweep", request->sweeps,
+                        "Only the sweep of this case, or those of a group (" + list_of_groups() +
+                            "); may be repeated. engine/PHYSICS.md 4 says what they are about");
     command->add_option("-o,--output", request->folder, "Folder for plots (SVG) and one page with all of them");
     command->add_flag("--json", request->json, "Print JSON instead of a table, every point with its inputs");
     command->footer(
         "Exit codes: 0 all cases are sound; 1 one is not.\n"
         "\nExamples:\n"
         "  polariscope check stiff -o stiff\n"
-        "  polariscope check stiff --row grazing-crystal --json");
+        "  polariscope check stiff --sweep grazing-crystal --json");
     command->callback([request, &exit_code] { exit_code = run(*request); });
 }
 

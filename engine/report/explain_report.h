@@ -12,7 +12,8 @@ namespace pol {
 /// `least_share`.
 std::string explanation_as_text(const Plan& plan, const Explanation& explanation, double least_share);
 
-/// The same for a program: every branch, numbers that read back to the same bits. What the keys mean: engine/report/README.md.
+/// The same for a program: every branch, numbers that read back to the same bits. What the keys mean:
+/// engine/report/README.md.
 std::string explanation_as_json(const Plan& plan, const Explanation& explanation);
 
 }  // namespace pol

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the parts of a tree are called, in text, JSON, CSV, OBJ and the window alike (engine/report/README.md), and what can be
-// told of a branch from its tree.
+// What the parts of a tree are called, in text, JSON, CSV, OBJ and the window alike (engine/report/README.md), and what
+// can be told of a branch from its tree.
 #pragma once
 
 #include <array>

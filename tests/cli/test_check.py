@@ -50,33 +50,35 @@ class Facts(ProgramTest):
 
 
 class Stiff(ProgramTest):
-    def test_a_case_is_chosen_by_name_or_row_and_ends_in_a_verdict(self):
-        text = self.succeed("check", "stiff", "--row", "grazing-glass", "--row", "23")
-        self.assertRegex(text, r"\n +8  grazing-glass .* sound\n")
-        self.assertRegex(text, r"\n +23  almost-unpolarized .* sound\n")
-        self.assertIn("2 of 2 cases are sound", text)
+    def test_cases_are_chosen_by_name_or_group_and_end_in_a_verdict(self):
+        text = self.succeed("check", "stiff", "--sweep", "states", "--sweep", "grazing-glass")
+        self.assertRegex(text, r"\nincidence +grazing-glass .* sound\n")
+        self.assertRegex(text, r"\nstates +almost-unpolarized .* sound\n")
+        self.assertIn("6 of 6 cases are sound", text)
 
     def test_json_has_every_point_with_its_inputs(self):
-        report = json.loads(self.succeed("check", "stiff", "--row", "dark", "--json"))
+        report = json.loads(self.succeed("check", "stiff", "--sweep", "dark", "--json"))
         (case,) = report["cases"]
         self.assertGreaterEqual(len(case["points"]), 12)
         for point in case["points"]:
             self.assertLessEqual(point["error"], point["limit"] * point["condition"])
             self.assertEqual(len(point["inputs"]), 4)
-        self.assertIn(32, [row["row"] for row in report["untested"]])
+        self.assertEqual(case["group"], "states")
+        self.assertIn("biaxial, on an optic axis", [one["subject"] for one in report["untested"]])
 
     def test_a_folder_gets_plots_and_one_page_with_all_of_them(self):
-        self.succeed("check", "stiff", "--row", "dark", "-o", "report")
+        self.succeed("check", "stiff", "--sweep", "dark", "-o", "report")
         self.assertEqual(sorted(self.files()), ["report/dark.svg", "report/stiff.html"])
         page = (self.folder / "report" / "stiff.html").read_text()
         self.assertIn((self.folder / "report" / "dark.svg").read_text(), page)
         self.assertNotIn("http", page.replace("http://www.w3.org/2000/svg", ""))
 
     def test_a_case_that_does_not_exist_is_refused_with_a_hint(self):
-        self.refuse(2, ["darc", "did you mean 'dark'"], "check", "stiff", "--row", "darc")
-        self.refuse(2, ["biaxial"], "check", "stiff", "--row", "33")
+        self.refuse(2, ["darc", "did you mean 'dark'"], "check", "stiff", "--sweep", "darc")
+        self.refuse(2, ["inzidence", "did you mean 'incidence'"], "check", "stiff", "--sweep", "inzidence")
+        self.refuse(2, ["33", "axis, incidence, index"], "check", "stiff", "--sweep", "33")
         self.write("file", "")
-        self.refuse(4, ["file", "folder"], "check", "stiff", "--row", "dark", "-o", "file")
+        self.refuse(4, ["file", "folder"], "check", "stiff", "--sweep", "dark", "-o", "file")
 
 
 class Files(ProgramTest):

@@ -164,7 +164,7 @@ class Kills(ProgramTest):
                         ("maps", "in.exr", "--map", "dop", "-o", "dop.png"),
                         ("explain", CALCITE, "--pixel", "256,200", "--csv", "rays.csv", "--obj", "rays.obj"),
                         ("check", "facts", "T25", "--scenes", "."),
-                        ("check", "stiff", "--row", "grazing-crystal", "-o", ".")):
+                        ("check", "stiff", "--sweep", "grazing-crystal", "-o", ".")):
             with self.subTest(command):
                 during_writing += self.kills_leave_whole_files(*command)
         self.assertGreater(during_writing, 0, "no kill came while a file was being written")
@@ -178,7 +178,7 @@ class Pipes(ProgramTest):
                         ("explain", CALCITE, "--pixel", "256,200"), ("explain", CALCITE, "--pixel", "256,200", "--json"),
                         ("interface", "--from", "air", "--to", "1.5"),
                         ("check", "facts", "T1"), ("check", "facts", "T1", "--json"), ("check", "in.exr"),
-                        ("check", GLASS, "--json"), ("check", "stiff", "--row", "grazing-crystal"),
+                        ("check", GLASS, "--json"), ("check", "stiff", "--sweep", "grazing-crystal"),
                         ("check", "all", "-o", "all"),
                         ("converge", GLASS, "-o", "curves", "--size", "8x8", "--seeds", "1")):
             for parent_ignores_it in (False, True):
@@ -192,7 +192,7 @@ class Pipes(ProgramTest):
     def test_files_are_written_whoever_reads_the_text(self):
         for command, names in ((("explain", CALCITE, "--pixel", "256,200", "--csv", "r.csv", "--obj", "r.obj"),
                                 ("r.csv", "r.obj")),
-                               (("check", "stiff", "--row", "grazing-crystal", "-o", ".", "--json"),
+                               (("check", "stiff", "--sweep", "grazing-crystal", "-o", ".", "--json"),
                                 ("grazing-crystal.svg", "stiff.html"))):
             with self.subTest(command):
                 self.assertEqual(self.run_program(*command).returncode, 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stiffness suite: every degenerate case of the physics notes as a sweep of one knob towards its singular point,
-// with the error against more digits at each setting (verify/degenerate/experiment.h).
+// The stiffness suite: every degenerate case of PHYSICS.md 4 as a sweep of one knob towards its singular point, with
+// the error against more digits at each setting (verify/degenerate/experiment.h).
 #pragma once
 
 #include <functional>
@@ -30,7 +30,6 @@ private:
 /// number i has second_settings[i % size].
 struct DegenerateCase {
     std::string name;
-    int row = 0;           ///< of the table of degenerate cases, physics notes section 4
     std::string sentence;  ///< what is held to be true
     std::string knob;      ///< with its unit
     std::string results;   ///< which results are compared
@@ -43,6 +42,7 @@ struct DegenerateCase {
     /// By how many times the condition the formulas are known to be worse than their roundings allow, at a setting;
     /// the sentence says why. Nothing said: 1.
     double (*loss)(double setting) = nullptr;
+    std::string group{};  ///< what it is about, one word; degenerate_cases() fills it in
 };
 
 struct DegeneratePoint {
@@ -65,16 +65,15 @@ struct DegenerateResult {
     bool sound = false;
 };
 
-/// A row of the physics notes that no case covers.
-struct UntestedRow {
-    int row = 0;
+/// What PHYSICS.md 4 names and no sweep drives.
+struct UntestedCase {
     std::string subject;
     std::string why;
 };
 
-/// All cases, in the order of the rows.
+/// All cases, group by group: axis, incidence, index, states, paths, scenes, pairs. PHYSICS.md 4 names them.
 const std::vector<DegenerateCase>& degenerate_cases();
-const std::vector<UntestedRow>& untested_rows();
+const std::vector<UntestedCase>& untested_cases();
 
 DegenerateResult run(const DegenerateCase& degenerate_case);
 

@@ -83,25 +83,25 @@ std::string degenerate_section(const std::vector<DegenerateResult>& results) {
     std::string page = fmt::format("<p>{} of {} cases are sound, at {} settings.</p>\n", sound, results.size(), points);
     page += explanation;
     page +=
-        "<table><tr><th>row</th><th>case</th><th>knob</th><th>worst error</th><th>condition there</th>"
+        "<table><tr><th>group</th><th>case</th><th>knob</th><th>worst error</th><th>condition there</th>"
         "<th>worst error / condition</th><th>limit</th><th>verdict</th></tr>\n";
     for (const DegenerateResult& r : results) {
         page += fmt::format(
-            "<tr><td class=\"n\">{}</td><td><a href=\"#{}\">{}</a></td><td>{}: {}</td><td class=\"n\">{:.1e}</td>"
+            "<tr><td>{}</td><td><a href=\"#{}\">{}</a></td><td>{}: {}</td><td class=\"n\">{:.1e}</td>"
             "<td class=\"n\">{:.1e}</td><td class=\"n\">{:.2g}</td><td class=\"n\">{:g}</td><td{}>{}</td></tr>\n",
-            r.of->row, r.of->name, r.of->name, xml_text(r.of->knob), settings_text(*r.of), r.worst.finding.error,
+            r.of->group, r.of->name, r.of->name, xml_text(r.of->knob), settings_text(*r.of), r.worst.finding.error,
             r.worst.finding.condition, r.ratio, r.limit, r.sound ? "" : " class=\"bad\"",
             r.sound ? "sound" : "UNSOUND");
     }
-    page += "</table>\n<h3>Rows without a case</h3>\n<ul>\n";
-    for (const UntestedRow& row : untested_rows())
-        page += fmt::format("<li>{}, {}: {}</li>\n", row.row, xml_text(row.subject), xml_text(row.why));
+    page += "</table>\n<h3>Cases without a sweep</h3>\n<ul>\n";
+    for (const UntestedCase& one : untested_cases())
+        page += fmt::format("<li>{}: {}</li>\n", xml_text(one.subject), xml_text(one.why));
     page += "</ul>\n<h3>Error against stiffness</h3>\n<div class=\"plots\">\n";
     for (const DegenerateResult& r : results)
         page += fmt::format(
-            "<figure id=\"{}\">\n{}<figcaption class=\"soft\">Row {}. Compared: {}. Reference: "
+            "<figure id=\"{}\">\n{}<figcaption class=\"soft\">Group {}. Compared: {}. Reference: "
             "{}.</figcaption></figure>\n",
-            r.of->name, plot_svg(degenerate_plot(r)), r.of->row, xml_text(r.of->results), xml_text(r.of->reference));
+            r.of->name, plot_svg(degenerate_plot(r)), r.of->group, xml_text(r.of->results), xml_text(r.of->reference));
     return page + "</div>\n";
 }
 

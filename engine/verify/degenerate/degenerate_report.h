@@ -16,7 +16,7 @@ Plot degenerate_plot(const DegenerateResult& result);
 /// "1e-01 .. 1e-16, 0".
 std::string range_text(const DegenerateCase& degenerate_case);
 
-/// Verdicts, the untested rows and all plots as a part of a page, and as a self-contained page.
+/// Verdicts, what no sweep drives and all plots as a part of a page, and as a self-contained page.
 std::string degenerate_section(const std::vector<DegenerateResult>& results);
 std::string degenerate_page(const std::vector<DegenerateResult>& results);
 

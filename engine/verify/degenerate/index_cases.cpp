@@ -46,7 +46,6 @@ std::vector<DegenerateCase> index_cases() {
     const std::string birefringence = "n_e - n_o";
     return {
         {"equal-indices",
-         14,
          "A crystal with n_o = n_e is glass to the last bit",
          "angle of incidence [rad]",
          "difference of power and ray of each wave",
@@ -54,19 +53,19 @@ std::vector<DegenerateCase> index_cases() {
          {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.4, 1.5},
          crystal_minus_glass,
          usual_turns},
-        {"small-birefringence", 15, "As n_e tends to n_o each wave keeps its accuracy, entering", birefringence,
-         of_waves, same_formulas, and_zero(decades(-1, -15)),
+        {"small-birefringence", "As n_e tends to n_o each wave keeps its accuracy, entering", birefringence, of_waves,
+         same_formulas, and_zero(decades(-1, -15)),
          [](double step, const Turn& turn) { return meet(air, crystal(1.5, 1.5 + step, turn), 0.9, turn, waves); },
          usual_turns},
-        {"small-birefringence-inside", 15, "As n_e tends to n_o each wave keeps its accuracy, leaving", birefringence,
+        {"small-birefringence-inside", "As n_e tends to n_o each wave keeps its accuracy, leaving", birefringence,
          of_waves, same_formulas, and_zero(decades(-1, -15)),
          [](double step, const Turn& turn) { return meet(crystal(1.5, 1.5 + step, turn), air, 0.5, turn, waves); },
          usual_turns},
-        {"huge-birefringence", 16, "A wave may walk off by almost 90 degrees and is told apart by its energy",
+        {"huge-birefringence", "A wave may walk off by almost 90 degrees and is told apart by its energy",
          "n_e, with n_o = 1", of_waves, same_formulas, decades(0, 8, 2),
          [](double n, const Turn& turn) { return meet(air, crystal(1.0, 1.5 * n, turn), 0.7, turn, waves); },
          usual_turns},
-        {"matched-liquid", 17, "A liquid of index n_o on calcite reflects nothing of the o wave",
+        {"matched-liquid", "A liquid of index n_o on calcite reflects nothing of the o wave",
          "index of the liquid / n_o - 1", "sum of the fields of all waves, both sides", same_formulas,
          and_zero(decades(-1, -16)),
          [](double step, const Turn& turn) {
@@ -74,20 +73,20 @@ std::vector<DegenerateCase> index_cases() {
                          InterfaceResults::merged_fields);
          },
          usual_turns},
-        {"twins-in-contact", 17, "Equal crystals in contact are one crystal", "difference of the indices", of_waves,
+        {"twins-in-contact", "Equal crystals in contact are one crystal", "difference of the indices", of_waves,
          same_formulas, and_zero(decades(-1, -16)),
          [](double step, const Turn& turn) {
              return meet(crystal(1.6, 1.5, turn), crystal(1.6 + step, 1.5 + step, turn), 0.7, turn, waves);
          },
          usual_turns},
-        {"matched-glasses", 18, "Nearly equal glasses reflect a share of the size of the square of their contrast",
+        {"matched-glasses", "Nearly equal glasses reflect a share of the size of the square of their contrast",
          "index ratio - 1", "reflected powers, each to its own size", same_formulas, and_zero(decades(-1, -15)),
          [](double step, const Turn& turn) {
              return meet(air, make_isotropic(1.0 + step), 0.5, turn, InterfaceResults::reflected_powers,
                          Accuracy::relative);
          },
          usual_turns},
-        {"metal", 30, "A metal swallows what it does not reflect, from faint extinction to a perfect mirror",
+        {"metal", "A metal swallows what it does not reflect, from faint extinction to a perfect mirror",
          "extinction kappa, n = 0.3", "reflected and absorbed powers, each to its own size", same_formulas,
          decades(-16, 8),
          [](double kappa, const Turn& turn) {
@@ -95,8 +94,8 @@ std::vector<DegenerateCase> index_cases() {
                          Accuracy::relative);
          },
          usual_turns},
-        {"metal-in-crystal", 30, "A metal behind a crystal swallows what it does not reflect",
-         "extinction kappa, n = 0.3", of_waves, same_formulas, decades(-16, 8),
+        {"metal-in-crystal", "A metal behind a crystal swallows what it does not reflect", "extinction kappa, n = 0.3",
+         of_waves, same_formulas, decades(-16, 8),
          [](double kappa, const Turn& turn) {
              return meet(crystal(1.6584, 1.4864, turn), make_conductor(0.3, kappa), 0.7, turn, waves);
          },

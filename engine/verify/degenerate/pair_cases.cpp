@@ -83,7 +83,6 @@ enum Note : unsigned {
 
 /// One singular point, and how far from it.
 struct Knob {
-    int row;  ///< of the table of degenerate cases
     std::string name;
     std::string text;  ///< what is set, with its unit
     unsigned claims;
@@ -94,43 +93,40 @@ struct Knob {
 /// In the order in which they act.
 const std::vector<Knob>& knobs() {
     static const std::vector<Knob> all = {
-        {15, "weak-crystal", "n_e/n_o - 1", indices, 0, [](Bench& b, double x) { b.n_e = b.n_o * (1.0 + x); }},
-        {16, "strong-positive", "n_e/n_o", indices, ratio_setting,
-         [](Bench& b, double ratio) { b.n_e = b.n_o * ratio; }},
-        {16, "strong-negative", "n_o/n_e", indices, ratio_setting,
-         [](Bench& b, double ratio) { b.n_e = b.n_o / ratio; }},
-        {18, "matched-o", "|n/n_o - 1|", neighbour, 0,
+        {"weak-crystal", "n_e/n_o - 1", indices, 0, [](Bench& b, double x) { b.n_e = b.n_o * (1.0 + x); }},
+        {"strong-positive", "n_e/n_o", indices, ratio_setting, [](Bench& b, double ratio) { b.n_e = b.n_o * ratio; }},
+        {"strong-negative", "n_o/n_e", indices, ratio_setting, [](Bench& b, double ratio) { b.n_e = b.n_o / ratio; }},
+        {"matched-o", "|n/n_o - 1|", neighbour, 0,
          [](Bench& b, double x) { b.other = make_isotropic(b.almost(b.n_o, x)); }},
-        {18, "matched-e", "|n/n_e - 1|", neighbour, 0,
+        {"matched-e", "|n/n_e - 1|", neighbour, 0,
          [](Bench& b, double x) { b.other = make_isotropic(b.almost(b.n_e, x)); }},
-        {30, "weak-metal", "kappa", neighbour, leaving_only,
-         [](Bench& b, double x) { b.other = make_conductor(1.3, x); }},
-        {3, "axis-along-normal", "angle between axis and normal [rad]", from_normal | upright, 0,
+        {"weak-metal", "kappa", neighbour, leaving_only, [](Bench& b, double x) { b.other = make_conductor(1.3, x); }},
+        {"axis-along-normal", "angle between axis and normal [rad]", from_normal | upright, 0,
          [](Bench& b, double x) { b.axis = beside(face_normal, x); }},
-        {4, "axis-in-face", "angle between axis and face [rad]", from_normal, 0,
+        {"axis-in-face", "angle between axis and face [rad]", from_normal, 0,
          [](Bench& b, double x) { b.axis = unit(DVec3(b.axis.x, b.axis.y, x * std::hypot(b.axis.x, b.axis.y))); }},
-        {7, "normal-incidence", "angle of incidence [rad]", incidence, 0,
+        {"normal-incidence", "angle of incidence [rad]", incidence, 0,
          [](Bench& b, double x) { b.wave = polar_direction(x); }},
         // Exactly above the face: nothing of the small angle is lost in a direction.
-        {8, "grazing", "angle above the face [rad]", incidence, o_evanescent,
+        {"grazing", "angle above the face [rad]", incidence, o_evanescent,
          [](Bench& b, double x) {
              b.wave = {std::cos(x), 0.0, std::sin(x)};
          }},
-        {9, "below-o-critical", "distance to the critical angle of o [rad]", incidence | other_index, 0,
+        {"below-o-critical", "distance to the critical angle of o [rad]", incidence | other_index, 0,
          [](Bench& b, double x) { b.wave = polar_direction(o_critical(b) - x); }},
-        {10, "beyond-o-critical", "distance to the critical angle of o [rad]", incidence | other_index, o_evanescent,
+        {"beyond-o-critical", "distance to the critical angle of o [rad]", incidence | other_index, o_evanescent,
          [](Bench& b, double x) { b.wave = polar_direction(o_critical(b) + x); }},
-        {2, "wave-along-axis", "angle between wave and axis [rad]", from_normal | upright | axis_first, o_needed,
+        {"wave-along-axis", "angle between wave and axis [rad]", from_normal | upright | axis_first, o_needed,
          [](Bench& b, double x) { b.axis = beside(ordinary_wave_normal(b), x); }},
-        {6, "axis-in-plane", "angle between axis and plane of incidence [rad]", from_plane, 0,
+        {"axis-in-plane", "angle between axis and plane of incidence [rad]", from_plane, 0,
          [](Bench& b, double x) { b.axis = unit(DVec3(b.axis.x, x * std::hypot(b.axis.x, b.axis.z), b.axis.z)); }},
-        {5, "axis-along-s", "angle between axis and s [rad]", from_plane | upright, 0,
+        {"axis-along-s", "angle between axis and s [rad]", from_plane | upright, 0,
          [](Bench& b, double x) { b.axis = unit(DVec3(x * b.axis.x, std::hypot(b.axis.x, b.axis.z), x * b.axis.z)); }},
-        {10, "below-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,
+        {"below-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,
          [](Bench& b, double x) { b.wave = polar_direction(e_critical(b) - x); }},
-        {11, "beyond-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,
+        {"beyond-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,
          [](Bench& b, double x) { b.wave = polar_direction(e_critical(b) + x); }},
-        {17, "twin", "angle between the axes of two crystals [rad]", neighbour | other_index, leaving_only,
+        {"twin", "angle between the axes of two crystals [rad]", neighbour | other_index, leaving_only,
          [](Bench& b, double x) { b.other = make_uniaxial(b.n_o, b.n_e, beside(b.axis, x)); }},
     };
     return all;
@@ -165,9 +161,7 @@ double lost_to_strength(double ratio) {
 DegenerateCase pair_case(const Knob& a, const Knob& b, const std::vector<Way>& ways) {
     DegenerateCase pair;
     pair.name = a.name + "-and-" + b.name;
-    pair.row = a.row;
-    pair.sentence = "Where two singular points meet, rows " + std::to_string(a.row) + " and " + std::to_string(b.row) +
-                    ", no more is lost than at each";
+    pair.sentence = "Where two singular points meet, no more is lost than at each";
     pair.knob = a.text;
     pair.second_knob = b.text;
     const bool unpolarized = needs_no_basis(a, b);

@@ -187,28 +187,28 @@ const std::string of_stack = "closed form: incoherent passes of parallel faces";
 std::vector<DegenerateCase> path_cases() {
     const std::string furnace = "closed form: 1 - (1 - R) R^(depth - 1)";
     return {
-        {"thin-slab", 19,
+        {"thin-slab",
          "A slab passes the incoherent sum of its reflections, down to 1e-7 of "
          "its width",
          "thickness", s0_s1, of_stack, decades(-1, -7, 2), [](double t, const Turn&) { return thin_slab(t); }},
-        {"silhouette", 24, "Towards the rim of a ball the first reflection takes all the light", "radius - offset",
-         s0_s1, furnace, decades(-1, -15, 2), [](double d, const Turn&) { return cut_furnace(1.5, 1.0 - d, 5); }},
-        {"air-gap", 26,
+        {"silhouette", "Towards the rim of a ball the first reflection takes all the light", "radius - offset", s0_s1,
+         furnace, decades(-1, -15, 2), [](double d, const Turn&) { return cut_furnace(1.5, 1.0 - d, 5); }},
+        {"air-gap",
          "A gap of air is a gap, down to 1e-9 of the scene; without one the "
          "blocks are in contact",
          "gap", s0_s1, of_stack, and_zero(decades(-1, -8, 2)), [](double gap, const Turn&) { return air_gap(gap); }},
-        {"vessel-wall", 27, "A liquid in a vessel is met behind its wall however thin that is", "thickness of the wall",
+        {"vessel-wall", "A liquid in a vessel is met behind its wall however thin that is", "thickness of the wall",
          s0_s1, of_stack, decades(-1, -11, 2), [](double wall, const Turn&) { return nested_balls(wall); }},
-        {"depth-limit", 29, "What a depth limit leaves out is what the closed form says", "depth limit", s0_s1, furnace,
+        {"depth-limit", "What a depth limit leaves out is what the closed form says", "depth limit", s0_s1, furnace,
          whole_numbers(1, 16, 1, 1),
          [](double depth, const Turn&) { return cut_furnace(2.4, 0.999, static_cast<int>(depth)); }},
-        {"light-guide", 29,
+        {"light-guide",
          "A ray may be reflected thousands of times: the phases add up and "
          "nothing is lost",
          "total reflections", "S0, S2, S3 of one rendered ray", "closed form: (r_s r_p*)^N",
          whole_numbers(1, 4096, 2, 0), [](double count, const Turn&) { return light_guide(static_cast<int>(count)); }},
-        {"dichroic-plate", 31, "A tourmaline plate passes o less and less: P tends to 1", "absorption x thickness",
-         s0_s1, "closed form: t^2 a/(1 - R^2 a^2)", decades(-12, 3),
+        {"dichroic-plate", "A tourmaline plate passes o less and less: P tends to 1", "absorption x thickness", s0_s1,
+         "closed form: t^2 a/(1 - R^2 a^2)", decades(-12, 3),
          [](double absorbance, const Turn&) { return dichroic_plate(1.64, 1.62, absorbance); }},
     };
 }

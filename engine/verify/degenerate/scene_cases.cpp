@@ -155,43 +155,41 @@ std::vector<DegenerateCase> scene_cases() {
     std::vector<double> all_sizes;
     for (int exponent = -30; exponent <= 30; exponent += 5) all_sizes.push_back(std::pow(10.0, exponent));
     return {
-        {"bright-and-dim", 21, "A picture is the same for radiances from 1e-30 to 1e30", "radiance",
+        {"bright-and-dim", "A picture is the same for radiances from 1e-30 to 1e30", "radiance",
          s0_s1 + ", over the radiance", furnace, all_sizes, [](double l, const Turn&) { return bright_ball(l); }},
-        {"box-edge", 25, "A ray at an edge of a box hits it once: no leak, no second surface",
+        {"box-edge", "A ray at an edge of a box hits it once: no leak, no second surface",
          "distance of the ray to the edge", all_light, "closed form: 1", and_zero(decades(-1, -17, 2)),
          [](double d, const Turn&) {
              return at_edge(BoxShape{{2.0, 2.0, 2.0}}, {1.0, 1.0 - d, 0.3});
          }},
-        {"box-corner", 25, "A ray at a corner of a box hits it once: no leak, no second surface",
+        {"box-corner", "A ray at a corner of a box hits it once: no leak, no second surface",
          "distance of the ray to the corner", all_light, "closed form: 1", and_zero(decades(-1, -17, 2)),
          [](double d, const Turn&) {
              return at_edge(BoxShape{{2.0, 2.0, 2.0}}, {1.0 - d, 1.0 - 0.7 * d, 1.0});
          }},
-        {"mesh-edge", 25, "A ray at an edge between triangles of a mesh hits it once",
-         "distance of the ray to the edge", all_light, "closed form: 1", and_zero(decades(-1, -17, 2)),
+        {"mesh-edge", "A ray at an edge between triangles of a mesh hits it once", "distance of the ray to the edge",
+         all_light, "closed form: 1", and_zero(decades(-1, -17, 2)),
          [](double d, const Turn&) {
              return at_edge(dented_box(1.0), {1.0, 0.2 + d, 0.2});
          }},
-        {"mesh-corner", 25, "A ray at a corner of a mesh hits it once", "distance of the ray to the corner", all_light,
+        {"mesh-corner", "A ray at a corner of a mesh hits it once", "distance of the ray to the corner", all_light,
          "closed form: 1", and_zero(decades(-1, -17, 2)),
          [](double d, const Turn&) {
              return at_edge(dented_box(1.0), {1.0, 1.0 - d, 1.0 - 0.6 * d});
          }},
-        {"scale", 28, "A scene of any size makes the same picture", "scale", s0_s1, furnace, decades(-6, 6),
+        {"scale", "A scene of any size makes the same picture", "scale", s0_s1, furnace, decades(-6, 6),
          [](double scale, const Turn&) { return scaled_ball(scale); }},
-        {"offset", 28, "A scene far from the origin keeps the digits that its coordinates have",
-         "distance from the origin", s0_s1, furnace, decades(0, 12),
-         [](double distance, const Turn&) { return moved_ball(distance); }},
-        {"sliver", 36, "A triangle as thin as the welding of vertices allows neither leaks nor turns light away",
+        {"offset", "A scene far from the origin keeps the digits that its coordinates have", "distance from the origin",
+         s0_s1, furnace, decades(0, 12), [](double distance, const Turn&) { return moved_ball(distance); }},
+        {"sliver", "A triangle as thin as the welding of vertices allows neither leaks nor turns light away",
          "width of the triangle", all_light, "closed form: 1", decades(-1, -6, 3),
          [](double width, const Turn&) {
              return at_edge(dented_box(width), {0.0, 1.0, 1.0 - 0.25 * width});
          }},
-        {"dispersion-pole", 37,
-         "Towards the pole of a dispersion formula the index keeps the digits that its inputs allow",
+        {"dispersion-pole", "Towards the pole of a dispersion formula the index keeps the digits that its inputs allow",
          "wavelength / pole - 1", "index, to its own size", "the same formula with 113 bits", decades(-1, -14, 2),
          [](double distance, const Turn&) { return near_pole(distance); }},
-        {"dispersion-range", 37, "Outside its range, and where n^2 < 0, a record refuses instead of giving a number",
+        {"dispersion-range", "Outside its range, and where n^2 < 0, a record refuses instead of giving a number",
          "distance to the ends of the range, relative", "share of right answers at five wavelengths", "closed form: 1",
          and_zero(decades(-1, -15)), [](double distance, const Turn&) { return range_ends(distance); }},
     };

@@ -84,29 +84,29 @@ std::vector<DegenerateCase> state_cases() {
     std::vector<double> all_sizes;
     for (int exponent = -30; exponent <= 30; exponent += 5) all_sizes.push_back(std::pow(10.0, exponent));
     return {
-        {"dark", 20, "Light that fades keeps its state to the last; no light has none and gives no NaN", "S0", measures,
+        {"dark", "Light that fades keeps its state to the last; no light has none and gives no NaN", "S0", measures,
          same_formulas, and_zero(dim),
          [](double s0, const Turn&) {
              return experiment_on(MeasuresOfStokes{}, {s0, 0.3 * s0, -0.2 * s0, 0.4 * s0});
          }},
-        {"radiance-of-sums", 21, "All maps are the same for radiances from 1e-30 to 1e30", "radiance of two fields",
+        {"radiance-of-sums", "All maps are the same for radiances from 1e-30 to 1e30", "radiance of two fields",
          measures, same_formulas, all_sizes,
          [](double radiance, const Turn&) {
              const double size = std::sqrt(radiance);
              return experiment_on(MeasuresOfSum{}, both(field(0.3, size), field(1.1, 0.7 * size)));
          }},
-        {"almost-polarized", 22, "The degree of polarization of two almost equal states exceeds 1 by rounding at most",
+        {"almost-polarized", "The degree of polarization of two almost equal states exceeds 1 by rounding at most",
          "angle between two fields [rad]", measures, same_formulas, and_zero(decades(-1, -16)),
          [](double angle, const Turn&) {
              return experiment_on(MeasuresOfSum{}, both(field(0.3, 1.0), field(0.3 + angle, 0.8)));
          }},
-        {"unpolarized-fraction", 22, "1 - P of two almost equal states is known to its own last digits",
+        {"unpolarized-fraction", "1 - P of two almost equal states is known to its own last digits",
          "angle between two fields [rad]", "1 - P to its own size", same_formulas, decades(-1, -16),
          [](double angle, const Turn&) {
              return experiment_on(UnpolarizedFractionOfSum{}, both(field(0.0, 1.0), field(angle, 0.8)),
                                   Accuracy::relative);
          }},
-        {"almost-unpolarized", 23, "A weak polarization on unpolarized light keeps the state that its inputs allow",
+        {"almost-unpolarized", "A weak polarization on unpolarized light keeps the state that its inputs allow",
          "degree of polarization", measures, same_formulas, and_zero(decades(-1, -14)),
          [](double dop, const Turn&) {
              return experiment_on(MeasuresOfSum{}, both(field(0.0, std::sqrt(1.0 + dop)),
