@@ -18,6 +18,7 @@
 #include "core/vec.h"
 #include "optics/dielectric.h"
 #include "optics/wave.h"
+#include "polarization/jones.h"
 
 namespace pol {
 
@@ -29,7 +30,7 @@ template <class Real>
 struct OutgoingWave {
     Side side = Side::reflected;
     Wave<Real> wave{};
-    std::array<std::array<Complex<Real>, 2>, 2> amplitude{};
+    JonesMatrix<Real> amplitude{};
 };
 
 /// An outgoing mode that decays away from the boundary and carries no power; for display.
@@ -58,7 +59,7 @@ struct BoundaryResponse {
     /// media. What a conductor, or an absorbing medium whose wave dies at once, swallows, computed from the field
     /// inside and not as 1 - R; in an absorbing medium 1 also what the interference of incident and reflected wave
     /// takes, or, being negative, adds (AbsorbingFresnel::mixed_s).
-    std::array<std::array<Complex<Real>, 2>, 2> absorption{};
+    JonesMatrix<Real> absorption{};
     bool absorbs = false;
 };
 

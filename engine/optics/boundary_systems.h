@@ -69,7 +69,7 @@ void add_outgoing(BoundaryResponse<Real>& response, const OutgoingWave<Real>& wa
 template <class Real>
 bool carries_nothing(const OutgoingWave<Real>& wave) {
     const Complex<Real> nothing;
-    for (const auto& row : wave.amplitude) {
+    for (const auto& row : wave.amplitude.m) {
         if (!(row[0] == nothing) || !(row[1] == nothing)) return false;
     }
     return true;
@@ -139,7 +139,7 @@ void add_reflected(BoundaryResponse<Real>& response, const Dielectric<Real>& cry
 
 template <class Real>
 void add_pair(BoundaryResponse<Real>& response, Side side, const IncidenceFrame<Real>& frame, const Real& q,
-              const Real& n, const std::array<std::array<Complex<Real>, 2>, 2>& amplitude) {
+              const Real& n, const JonesMatrix<Real>& amplitude) {
     add_outgoing(response, OutgoingWave<Real>{side, pair_wave(frame.wave_vector(q), n, frame.s), amplitude});
 }
 
@@ -193,7 +193,7 @@ void enter_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
     const Scalar zero(Real(0));
     Amplitudes<Scalar> u = {{{Scalar(Real(2)), zero}, {zero, Real(-2) * n}}};
     solve_2x2(m, u, 2);
-    std::array<std::array<Complex<Real>, 2>, 2> reflected;
+    JonesMatrix<Real> reflected;
     for (std::size_t c = 0; c < 2; ++c) {
         Scalar b_s = zero;
         Scalar b_p = zero;
@@ -248,7 +248,7 @@ void leave_crystal(BoundaryResponse<Real>& response, const Incidence<Real>& inci
 
     const bool goes_on = medium2.kind == MediumKind::isotropic && q2_complex.re >= q2_complex.im;
     if (!goes_on && !medium2.is_complex()) return;
-    std::array<std::array<Complex<Real>, 2>, 2> inside{};  // E_y and H_y behind the boundary, per incident mode
+    JonesMatrix<Real> inside{};  // E_y and H_y behind the boundary, per incident mode
     for (std::size_t c = 0; c < incidence.modes; ++c) {
         Scalar e_y = Scalar(incidence.mode[c].e.y);
         Scalar h_y = Scalar(incidence.mode[c].h_y);

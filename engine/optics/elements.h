@@ -3,13 +3,13 @@
 // projected on the plane across an oblique ray is said with each sheet.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <variant>
 
 #include "core/complex.h"
 #include "core/overloaded.h"
 #include "core/vec.h"
+#include "polarization/jones.h"
 
 namespace pol {
 
@@ -70,10 +70,9 @@ Vec3<Real> transverse_axis(const Vec3<Real>& axis, const Vec3<Real>& light_direc
 /// Requires: normal (of the sheet, either sign), light_direction, e1, e2 unit; e1 x e2 = +-light_direction (either
 /// hand: a backward tracer keeps the field vectors of the light).
 template <class Real>
-std::array<std::array<Complex<Real>, 2>, 2> sheet_jones(const Sheet& sheet, const Vec3<Real>& normal,
-                                                        const Vec3<Real>& light_direction, const Vec3<Real>& e1,
-                                                        const Vec3<Real>& e2) {
-    using Matrix = std::array<std::array<Complex<Real>, 2>, 2>;
+JonesMatrix<Real> sheet_jones(const Sheet& sheet, const Vec3<Real>& normal, const Vec3<Real>& light_direction,
+                              const Vec3<Real>& e1, const Vec3<Real>& e2) {
+    using Matrix = JonesMatrix<Real>;
     return std::visit(Overloaded{
                           [&](const LinearPolarizer& polarizer) -> Matrix {
                               const Vec3<Real> axis(polarizer.axis);

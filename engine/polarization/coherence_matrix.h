@@ -74,12 +74,12 @@ template <class Real>
 constexpr CoherenceMatrix<Real> transform(const JonesMatrix<Real>& a, const CoherenceMatrix<Real>& j) {
     const Complex<Real> yx = conj(j.xy);
     // B = A J, then the rows of A again.
-    const Complex<Real> b_xx = a.xx * j.xx + a.xy * yx;
-    const Complex<Real> b_xy = a.xx * j.xy + a.xy * j.yy;
-    const Complex<Real> b_yx = a.yx * j.xx + a.yy * yx;
-    const Complex<Real> b_yy = a.yx * j.xy + a.yy * j.yy;
-    return {(b_xx * conj(a.xx) + b_xy * conj(a.xy)).re, (b_yx * conj(a.yx) + b_yy * conj(a.yy)).re,
-            b_xx * conj(a.yx) + b_xy * conj(a.yy)};
+    const Complex<Real> b_xx = a[0][0] * j.xx + a[0][1] * yx;
+    const Complex<Real> b_xy = a[0][0] * j.xy + a[0][1] * j.yy;
+    const Complex<Real> b_yx = a[1][0] * j.xx + a[1][1] * yx;
+    const Complex<Real> b_yy = a[1][0] * j.xy + a[1][1] * j.yy;
+    return {(b_xx * conj(a[0][0]) + b_xy * conj(a[0][1])).re, (b_yx * conj(a[1][0]) + b_yy * conj(a[1][1])).re,
+            b_xx * conj(a[1][0]) + b_xy * conj(a[1][1])};
 }
 
 /// The same light in a frame turned by `angle` radians counter-clockwise (x towards y):
@@ -91,12 +91,6 @@ Stokes<Real> rotate_basis(const Stokes<Real>& s, const Real& angle) {
     const Real c = cos(Real(2) * angle);
     const Real d = sin(Real(2) * angle);
     return {s.s0, c * s.s1 + d * s.s2, c * s.s2 - d * s.s1, s.s3};
-}
-
-/// As rotate_basis of the Stokes vector, as R J R^T.
-template <class Real>
-CoherenceMatrix<Real> rotate_basis(const CoherenceMatrix<Real>& j, const Real& angle) {
-    return transform(basis_rotation(angle), j);
 }
 
 }  // namespace pol

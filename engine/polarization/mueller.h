@@ -41,15 +41,4 @@ constexpr MuellerMatrix<Real> to_mueller(const JonesMatrix<Real>& a) {
     return result;
 }
 
-/// Mueller matrix of the reversed path in the same field vectors: Theta M^T Theta, Theta = diag(1, 1, 1, -1).
-/// Belongs to the transpose of the Jones matrix (PHYSICS.md 1).
-template <class Real>
-constexpr MuellerMatrix<Real> reversed(const MuellerMatrix<Real>& a) {
-    MuellerMatrix<Real> result;
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) result.m[i][j] = (i == 3) != (j == 3) ? -a.m[j][i] : a.m[j][i];
-    }
-    return result;
-}
-
 }  // namespace pol

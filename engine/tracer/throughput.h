@@ -2,7 +2,6 @@
 // The 2x2 (or, for a crystal mode, 2x1) matrix that takes field amplitudes at a ray to the camera.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -10,6 +9,7 @@
 #include "core/vec.h"
 #include "optics/boundary.h"
 #include "polarization/coherence_matrix.h"
+#include "polarization/jones.h"
 #include "polarization/stokes.h"
 
 namespace pol {
@@ -18,11 +18,11 @@ namespace pol {
 /// Amplitudes are flux-normalised, so |M a|^2 is basic radiance (PHYSICS.md 2.3, 2.8).
 template <class Real>
 struct Throughput {
-    Complex<Real> m[2][2]{};
+    JonesMatrix<Real> m;
 
     static Throughput identity() {
         Throughput t;
-        t.m[0][0] = t.m[1][1] = Complex<Real>(Real(1));
+        t.m = JonesMatrix<Real>::identity();
         return t;
     }
 
@@ -32,7 +32,7 @@ struct Throughput {
     }
 
     void scale(const Real& factor) {
-        for (auto& row : m)
+        for (auto& row : m.m)
             for (auto& element : row) element = element * factor;
     }
 
@@ -103,7 +103,7 @@ Throughput<Real> on_wave(const Throughput<Real>& m, const OutgoingWave<Real>& wa
 
 /// M behind a thin sheet, for the same field vectors.
 template <class Real>
-Throughput<Real> behind_sheet(const Throughput<Real>& t, const std::array<std::array<Complex<Real>, 2>, 2>& jones) {
+Throughput<Real> behind_sheet(const Throughput<Real>& t, const JonesMatrix<Real>& jones) {
     Throughput<Real> out;
     for (int row = 0; row < 2; ++row)
         for (std::size_t column = 0; column < 2; ++column)

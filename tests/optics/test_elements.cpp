@@ -13,8 +13,7 @@ const DVec3 x(1.0, 0.0, 0.0);
 const DVec3 y(0.0, 1.0, 0.0);
 
 JonesMatrix<double> jones(const Sheet& sheet, const DVec3& light, const DVec3& e1, const DVec3& e2) {
-    const auto m = sheet_jones(sheet, up, light, e1, e2);
-    return {m[0][0], m[0][1], m[1][0], m[1][1]};
+    return sheet_jones(sheet, up, light, e1, e2);
 }
 JonesMatrix<double> jones(const Sheet& sheet) {
     return jones(sheet, up, x, y);
@@ -108,7 +107,7 @@ TEST(Elements, ARetarderKeepsEnergyAtAnyObliquity) {
         const DVec3 k = dice.direction();
         const DVec3 e1 = any_perpendicular(k);
         const auto m = jones(Retarder{dice.direction(), dice.uniform(-7.0, 7.0)}, k, e1, cross(k, e1));
-        EXPECT_NEAR(mean_transmittance(m), 1.0, 8.0 * eps);
+        EXPECT_NEAR(trace(transform(m, unpolarized)), 1.0, 8.0 * eps);
         EXPECT_NEAR(trace(transform(m, CoherenceMatrix<double>::outer({0.6, {0.0, 0.8}}))), 1.0, 8.0 * eps);
         EXPECT_EQ(m.xy, m.yx);  // reciprocal
     }

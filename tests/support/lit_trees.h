@@ -37,7 +37,7 @@ inline const std::vector<Stokes<double>>& six_states_and_one() {
 
 /// Light whose s and p fields are multiplied by a and b.
 inline Stokes<double> multiplied(const Stokes<double>& s, const Complex<double>& a, const Complex<double>& b) {
-    return to_stokes(transform(JonesMatrix<double>{a, {}, {}, b}, to_coherence(s)));
+    return to_stokes(transform(JonesMatrix<double>{{{a, {}}, {{}, b}}}, to_coherence(s)));
 }
 
 /// Amplitudes t_s, t_p of the energy that passes a surface between lossless isotropic media: positive and real.

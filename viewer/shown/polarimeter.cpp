@@ -17,15 +17,14 @@ MuellerMatrix<double> Polarimeter::mueller() const {
     const DVec3 x(1.0, 0.0, 0.0);
     const DVec3 y(0.0, 1.0, 0.0);
     const DVec3 k(0.0, 0.0, 1.0);
-    JonesMatrix<double> train{1.0, 0.0, 0.0, 1.0};
+    JonesMatrix<double> train = JonesMatrix<double>::identity();
     for (const PolarimeterElement& element : elements) {
         if (!element.in_beam) continue;
         const DVec3 axis(std::cos(element.axis), std::sin(element.axis), 0.0);
         const Sheet sheet = element.kind == PolarimeterElementKind::polarizer
                                 ? Sheet{LinearPolarizer{axis, PolarizerModel::passing}}
                                 : Sheet{Retarder{axis, element.retardance}};
-        const auto f = sheet_jones(sheet, k, k, x, y);
-        train = JonesMatrix<double>{f[0][0], f[0][1], f[1][0], f[1][1]} * train;
+        train = sheet_jones(sheet, k, k, x, y) * train;
     }
     return to_mueller(train);
 }

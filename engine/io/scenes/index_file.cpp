@@ -26,11 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t max_file_bytes = 16u << 20u;
 
-/// Thrown by the parser below and caught in load_index.
-struct Complaint {
-    Error error;
-};
-
 /// A word of a scalar, with its place in the file (lines and columns from 1).
 struct Word {
     std::string_view text;
@@ -65,7 +60,8 @@ public:
 
 private:
     [[noreturn]] void fail_at(int line, int column, std::string field, std::string what, std::string hint) const {
-        throw Complaint{{ErrorKind::input, std::move(what), {file_, line, column}, std::move(field), std::move(hint)}};
+        throw YamlComplaint{
+            {ErrorKind::input, std::move(what), {file_, line, column}, std::move(field), std::move(hint)}};
     }
     [[noreturn]] void fail(const YAML::Mark& mark, std::string field, std::string what, std::string hint) const {
         fail_at(mark.line + 1, mark.column + 1, std::move(field), std::move(what), std::move(hint));
@@ -356,7 +352,7 @@ Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::pa
     }
     try {
         return RefractiveIndex{RecordReader(path.string(), text.value(), name_or_path).read()};
-    } catch (const Complaint& complaint) {
+    } catch (const YamlComplaint& complaint) {
         return complaint.error;
     } catch (const YAML::Exception& e) {
         return yaml_text_problem(e, text.value(), path.string());

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "io/files/assets.h"
+#include "io/files/input_file.h"
 #include "io/files/yaml_value.h"
 #include "io/scenes/scene_reader.h"
 #include "scene/check.h"
@@ -182,20 +181,7 @@ Scene read_scene(Reading& reading, const std::string& text, const std::string& f
 }  // namespace
 
 Result<std::string> read_scene_text(const fs::path& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) return file_error(path, "there is no such file", "check the path of the scene");
-    if (fs::is_directory(status)) return file_error(path, "is a directory", "name a scene file such as scene.yaml");
-    if (!fs::is_regular_file(status)) return file_error(path, "is not a regular file", "name a scene file");
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (!error && size > max_scene_bytes) {
-        return file_error(path, "is larger than 16 MiB, too large for a scene", "is this a mesh or a picture?");
-    }
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return file_error(path, "cannot be opened", "check that you may read it");
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (stream.bad()) return file_error(path, "cannot be read", "check the disk");
-    return text;
+    return read_input_file(path, max_scene_bytes);
 }
 
 Result<Scene> parse_scene(const std::string& text, const std::string& file_name, const fs::path& base_dir) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases about where the optic axis of a crystal points.
+// Degenerate cases about where the optic axis of a crystal points.
 #include "core/units.h"
 #include "verify/degenerate/case_lists.h"
 #include "verify/degenerate/interface_experiment.h"

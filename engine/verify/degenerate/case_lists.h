@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of the stiffness suite, by subject, and words that they share.
+// The parts of the suite of degenerate cases, by subject, and words that they share.
 #pragma once
 
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "core/vec.h"
 #include "optics/dielectric.h"
 #include "verify/degenerate/degenerate_case.h"
+#include "verify/facts/literal_calcite.h"
 
 namespace pol::verify {
 
@@ -25,9 +26,8 @@ constexpr std::size_t usual_turns = 8;
 inline const std::string same_formulas = "the same formulas with 113 bits";
 
 inline const Dielectric<double> air = make_isotropic(1.0);
-/// The literal calcite of PHYSICS.md 5.
 inline Dielectric<double> calcite(const DVec3& axis) {
-    return make_uniaxial(1.6584, 1.4864, axis);
+    return make_uniaxial(calcite_n_o, calcite_n_e, axis);
 }
 /// Of a face before it is turned.
 inline const DVec3 face_normal(0.0, 0.0, 1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stiffness suite: every degenerate case of PHYSICS.md 4 as a sweep of one knob towards its singular point, with
-// the error against more digits at each setting (verify/degenerate/experiment.h).
+// The suite of degenerate cases: every degenerate case of PHYSICS.md 4 as a sweep of one knob towards its singular
+// point, with the error against more digits at each setting (verify/degenerate/experiment.h).
 #pragma once
 
 #include <functional>

@@ -96,7 +96,7 @@ std::string degenerate_section(const std::vector<DegenerateResult>& results) {
     page += "</table>\n<h3>Cases without a sweep</h3>\n<ul>\n";
     for (const UntestedCase& one : untested_cases())
         page += fmt::format("<li>{}: {}</li>\n", xml_text(one.subject), xml_text(one.why));
-    page += "</ul>\n<h3>Error against stiffness</h3>\n<div class=\"plots\">\n";
+    page += "</ul>\n<h3>Error towards the singular points</h3>\n<div class=\"plots\">\n";
     for (const DegenerateResult& r : results)
         page += fmt::format(
             "<figure id=\"{}\">\n{}<figcaption class=\"soft\">Group {}. Compared: {}. Reference: "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of the stiffness suite as plots and as one page that can be mailed.
+// The results of the suite of degenerate cases as plots and as one page that can be mailed.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace pol::verify {
 
-/// Error, condition and limit over the knob; stiffer settings to the right.
+/// Error, condition and limit over the knob; settings nearer to the singular point to the right.
 Plot degenerate_plot(const DegenerateResult& result);
 
 /// "1e-01 .. 1e-16, 0".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases about the angle at which light arrives: normal, grazing,
+// Degenerate cases about the angle at which light arrives: normal, grazing,
 // critical.
 #include <cmath>
 

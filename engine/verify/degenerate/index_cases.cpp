@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases about indices: nearly equal, equal, very different, complex.
+// Degenerate cases about indices: nearly equal, equal, very different, complex.
 #include <cmath>
 
 #include "core/units.h"
@@ -69,7 +69,7 @@ std::vector<DegenerateCase> index_cases() {
          "index of the liquid / n_o - 1", "sum of the fields of all waves, both sides", same_formulas,
          and_zero(decades(-1, -16)),
          [](double step, const Turn& turn) {
-             return meet(make_isotropic(1.6584 * (1.0 + step)), calcite(turn({0.0, 1.0, 0.0})), 0.7, turn,
+             return meet(make_isotropic(calcite_n_o * (1.0 + step)), calcite(turn({0.0, 1.0, 0.0})), 0.7, turn,
                          InterfaceResults::merged_fields);
          },
          usual_turns},
@@ -97,7 +97,7 @@ std::vector<DegenerateCase> index_cases() {
         {"metal-in-crystal", "A metal behind a crystal swallows what it does not reflect", "extinction kappa, n = 0.3",
          of_waves, same_formulas, decades(-16, 8),
          [](double kappa, const Turn& turn) {
-             return meet(crystal(1.6584, 1.4864, turn), make_conductor(0.3, kappa), 0.7, turn, waves);
+             return meet(crystal(calcite_n_o, calcite_n_e, turn), make_conductor(0.3, kappa), 0.7, turn, waves);
          },
          usual_turns},
     };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of one pixel, made in memory, and the light that the renderer finds in it.
+// Scenes of one pixel, made in memory by the thousand, with settings that no text needs to survive, and the light that
+// the renderer finds in it.
 #pragma once
 
 #include <string>

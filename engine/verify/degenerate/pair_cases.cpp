@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases of two knobs at once: formulas that are sound at each of two singular points need not be where they meet.
+// Degenerate cases of two knobs at once: formulas that are sound at each of two singular points need not be where they
+// meet.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,12 +22,12 @@ enum class Way { out_of_crystal, into_crystal };
 
 /// What the knobs act on, in the frame of the face: normal z, plane of incidence xz. At rest all is in general
 /// position, and the index behind the face is the lower one.
-struct Bench {
-    explicit Bench(Way way) : leaves(way == Way::out_of_crystal), other(make_isotropic(leaves ? 1.3 : 2.5)) {}
+struct Knobs {
+    explicit Knobs(Way way) : leaves(way == Way::out_of_crystal), other(make_isotropic(leaves ? 1.3 : 2.5)) {}
 
     bool leaves;  ///< the crystal
-    double n_o = 1.6584;
-    double n_e = 1.4864;
+    double n_o = calcite_n_o;
+    double n_e = calcite_n_e;
     DVec3 axis = unit(DVec3(1.0, 2.0, 3.0));
     Dielectric<double> other;
     DVec3 wave = polar_direction(radians(40.0));
@@ -36,13 +37,13 @@ struct Bench {
     [[nodiscard]] double almost(double n, double share) const { return leaves ? n * (1.0 - share) : n * (1.0 + share); }
 };
 
-double o_critical(const Bench& b) {
+double o_critical(const Knobs& b) {
     return std::asin(b.leaves ? b.other.n / b.n_o : b.n_o / b.other.n);
 }
 
 /// From inside: where k_t of the e wave is the index outside. From outside: where k_t ends the e sheet
 /// (PHYSICS.md 2.5).
-double e_critical(const Bench& b) {
+double e_critical(const Knobs& b) {
     IncidenceFrame<double> frame;
     frame.x = {1.0, 0.0, 0.0};
     frame.s = {0.0, 1.0, 0.0};
@@ -55,7 +56,7 @@ double e_critical(const Bench& b) {
 }
 
 /// Of the o wave in the crystal.
-DVec3 ordinary_wave_normal(const Bench& b) {
+DVec3 ordinary_wave_normal(const Knobs& b) {
     if (b.leaves) return b.wave;
     const double sine = b.wave.x * b.other.n / b.n_o;
     return {sine, 0.0, std::sqrt((1.0 - sine) * (1.0 + sine))};
@@ -87,47 +88,47 @@ struct Knob {
     std::string text;  ///< what is set, with its unit
     unsigned claims;
     unsigned notes;
-    void (*set)(Bench&, double);
+    void (*set)(Knobs&, double);
 };
 
 /// In the order in which they act.
 const std::vector<Knob>& knobs() {
     static const std::vector<Knob> all = {
-        {"weak-crystal", "n_e/n_o - 1", indices, 0, [](Bench& b, double x) { b.n_e = b.n_o * (1.0 + x); }},
-        {"strong-positive", "n_e/n_o", indices, ratio_setting, [](Bench& b, double ratio) { b.n_e = b.n_o * ratio; }},
-        {"strong-negative", "n_o/n_e", indices, ratio_setting, [](Bench& b, double ratio) { b.n_e = b.n_o / ratio; }},
+        {"weak-crystal", "n_e/n_o - 1", indices, 0, [](Knobs& b, double x) { b.n_e = b.n_o * (1.0 + x); }},
+        {"strong-positive", "n_e/n_o", indices, ratio_setting, [](Knobs& b, double ratio) { b.n_e = b.n_o * ratio; }},
+        {"strong-negative", "n_o/n_e", indices, ratio_setting, [](Knobs& b, double ratio) { b.n_e = b.n_o / ratio; }},
         {"matched-o", "|n/n_o - 1|", neighbour, 0,
-         [](Bench& b, double x) { b.other = make_isotropic(b.almost(b.n_o, x)); }},
+         [](Knobs& b, double x) { b.other = make_isotropic(b.almost(b.n_o, x)); }},
         {"matched-e", "|n/n_e - 1|", neighbour, 0,
-         [](Bench& b, double x) { b.other = make_isotropic(b.almost(b.n_e, x)); }},
-        {"weak-metal", "kappa", neighbour, leaving_only, [](Bench& b, double x) { b.other = make_conductor(1.3, x); }},
+         [](Knobs& b, double x) { b.other = make_isotropic(b.almost(b.n_e, x)); }},
+        {"weak-metal", "kappa", neighbour, leaving_only, [](Knobs& b, double x) { b.other = make_conductor(1.3, x); }},
         {"axis-along-normal", "angle between axis and normal [rad]", from_normal | upright, 0,
-         [](Bench& b, double x) { b.axis = beside(face_normal, x); }},
+         [](Knobs& b, double x) { b.axis = beside(face_normal, x); }},
         {"axis-in-face", "angle between axis and face [rad]", from_normal, 0,
-         [](Bench& b, double x) { b.axis = unit(DVec3(b.axis.x, b.axis.y, x * std::hypot(b.axis.x, b.axis.y))); }},
+         [](Knobs& b, double x) { b.axis = unit(DVec3(b.axis.x, b.axis.y, x * std::hypot(b.axis.x, b.axis.y))); }},
         {"normal-incidence", "angle of incidence [rad]", incidence, 0,
-         [](Bench& b, double x) { b.wave = polar_direction(x); }},
+         [](Knobs& b, double x) { b.wave = polar_direction(x); }},
         // Exactly above the face: nothing of the small angle is lost in a direction.
         {"grazing", "angle above the face [rad]", incidence, o_evanescent,
-         [](Bench& b, double x) {
+         [](Knobs& b, double x) {
              b.wave = {std::cos(x), 0.0, std::sin(x)};
          }},
         {"below-o-critical", "distance to the critical angle of o [rad]", incidence | other_index, 0,
-         [](Bench& b, double x) { b.wave = polar_direction(o_critical(b) - x); }},
+         [](Knobs& b, double x) { b.wave = polar_direction(o_critical(b) - x); }},
         {"beyond-o-critical", "distance to the critical angle of o [rad]", incidence | other_index, o_evanescent,
-         [](Bench& b, double x) { b.wave = polar_direction(o_critical(b) + x); }},
+         [](Knobs& b, double x) { b.wave = polar_direction(o_critical(b) + x); }},
         {"wave-along-axis", "angle between wave and axis [rad]", from_normal | upright | axis_first, o_needed,
-         [](Bench& b, double x) { b.axis = beside(ordinary_wave_normal(b), x); }},
+         [](Knobs& b, double x) { b.axis = beside(ordinary_wave_normal(b), x); }},
         {"axis-in-plane", "angle between axis and plane of incidence [rad]", from_plane, 0,
-         [](Bench& b, double x) { b.axis = unit(DVec3(b.axis.x, x * std::hypot(b.axis.x, b.axis.z), b.axis.z)); }},
+         [](Knobs& b, double x) { b.axis = unit(DVec3(b.axis.x, x * std::hypot(b.axis.x, b.axis.z), b.axis.z)); }},
         {"axis-along-s", "angle between axis and s [rad]", from_plane | upright, 0,
-         [](Bench& b, double x) { b.axis = unit(DVec3(x * b.axis.x, std::hypot(b.axis.x, b.axis.z), x * b.axis.z)); }},
+         [](Knobs& b, double x) { b.axis = unit(DVec3(x * b.axis.x, std::hypot(b.axis.x, b.axis.z), x * b.axis.z)); }},
         {"below-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,
-         [](Bench& b, double x) { b.wave = polar_direction(e_critical(b) - x); }},
+         [](Knobs& b, double x) { b.wave = polar_direction(e_critical(b) - x); }},
         {"beyond-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,
-         [](Bench& b, double x) { b.wave = polar_direction(e_critical(b) + x); }},
+         [](Knobs& b, double x) { b.wave = polar_direction(e_critical(b) + x); }},
         {"twin", "angle between the axes of two crystals [rad]", neighbour | other_index, leaving_only,
-         [](Bench& b, double x) { b.other = make_uniaxial(b.n_o, b.n_e, beside(b.axis, x)); }},
+         [](Knobs& b, double x) { b.other = make_uniaxial(b.n_o, b.n_e, beside(b.axis, x)); }},
     };
     return all;
 }
@@ -175,7 +176,7 @@ DegenerateCase pair_case(const Knob& a, const Knob& b, const std::vector<Way>& w
     }
     pair.turns = second_settings.size() * ways.size();
     pair.at = [a, b, ways, unpolarized](double x, const Turn& turn) {
-        Bench bench(ways[turn.number() / second_settings.size()]);
+        Knobs bench(ways[turn.number() / second_settings.size()]);
         a.set(bench, x);
         b.set(bench, second_settings[turn.number() % second_settings.size()]);
         InterfaceSetup setup{bench.crystal(), bench.other, face_normal, bench.wave};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases of whole paths with a closed form: silhouettes, thin slabs and
+// Degenerate cases of whole paths with a closed form: silhouettes, thin slabs and
 // gaps, deep trees, absorption.
 #include <cmath>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases of scenes: their scale, their place, their brightness, their edges, their dispersion formulas.
+// Degenerate cases of scenes: their scale, their place, their brightness, their edges, their dispersion formulas.
 #include <array>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiff cases about polarization states: dark, bright, almost fully polarized, almost unpolarized.
+// Degenerate cases about polarization states: dark, bright, almost fully polarized, almost unpolarized.
 #include <array>
 #include <cmath>
 

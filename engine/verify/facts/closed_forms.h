@@ -8,6 +8,7 @@
 #include "core/complex.h"
 #include "core/units.h"
 #include "polarization/stokes.h"
+#include "verify/facts/literal_calcite.h"
 
 namespace pol::verify {
 
@@ -45,15 +46,14 @@ inline double plate_transmittance(double n) {
     return 2.0 * n / (n * n + 1.0);
 }
 
-/// delta_p - delta_s of one total reflection in a medium of relative index n at the angle `i` (PHYSICS.md 2.1).
+/// delta_p - delta_s of one total reflection in a medium of relative index n at the angle `i` (physics.md 2.1).
 inline double retardance(double n, double i) {
     const double sin2 = std::pow(std::sin(i), 2);
     return -2.0 * std::atan(std::cos(i) * std::sqrt(sin2 - 1.0 / (n * n)) / sin2);
 }
 
-/// The literal calcite of PHYSICS.md 5.
-constexpr double n_o = 1.6584;
-constexpr double n_e = 1.4864;
+constexpr double n_o = calcite_n_o;
+constexpr double n_e = calcite_n_e;
 constexpr double eps_o = n_o * n_o;
 constexpr double eps_e = n_e * n_e;
 

@@ -75,7 +75,7 @@ Fact invisible_contacts() {
     const std::size_t liquid =
         add_view(fact, "plate in a liquid",
                  camera_along(downward(i)) + "ambient: liquid\n" + picture("residual: 1e-14") +
-                     "media: {liquid: 1.6584, crystal: " + calcite({0.0, 1.0, 0.0}) + "}\nobjects:\n" +
+                     "media: {liquid: " + text(n_o) + ", crystal: " + calcite({0.0, 1.0, 0.0}) + "}\nobjects:\n" +
                      box("plate", {8.0, 8.0, 0.5}, {0.0, 0.0, -0.25}, "crystal") +
                      lamp("lamp", {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0}, 20.0));
     const Tolerance passes = residual_bound(1e-14, 1.0, rounding(720.0, "a dozen surfaces of a crystal"));

@@ -226,11 +226,10 @@ Fact absorbing_plate() {
            [](const Explanation& e) { return e.result.absorbed; });
     // The axis is across the plane of incidence: s is e with the plain index n_e, p is o.
     const double i = radians(50.0);
-    const std::size_t oblique =
-        add_view(fact, "weak absorption at 50 degrees",
-                 plate_scene("{ordinary: 1.6584, extraordinary: 1.4864, axis: [0, 1, 0], absorption_o: 0.7, "
-                             "absorption_e: 0.2}",
-                             "depth: 2", i));
+    const std::size_t oblique = add_view(fact, "weak absorption at 50 degrees",
+                                         plate_scene("{ordinary: " + text(n_o) + ", extraordinary: " + text(n_e) +
+                                                         ", axis: [0, 1, 0], absorption_o: 0.7, absorption_e: 0.2}",
+                                                     "depth: 2", i));
     const auto path_length = [i](double n) { return 1.0 / std::cos(std::asin(std::sin(i) / n)); };
     expect(fact, oblique, "transmittance of s (e)",
            std::pow(1.0 - ClosedFresnel(n_e, i).R_s(), 2) * std::exp(-0.2 * path_length(n_e)), two_surfaces,

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "verify/facts/literal_calcite.h"
+
 namespace pol::verify {
 
 std::string text(double value) {
@@ -72,7 +74,7 @@ std::string box(std::string_view name, const DVec3& size, const DVec3& center, s
 }
 
 std::string calcite(const DVec3& axis) {
-    return fmt::format("{{ordinary: 1.6584, extraordinary: 1.4864, axis: {}}}", text(axis));
+    return fmt::format("{{ordinary: {}, extraordinary: {}, axis: {}}}", calcite_n_o, calcite_n_e, text(axis));
 }
 
 std::string extruded(std::string_view name, const std::vector<DVec2>& polygon, std::string_view medium) {

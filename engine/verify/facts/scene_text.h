@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of physical facts as YAML text: cameras, lamps and solids whose planes of incidence are known.
+// Scenes of physical facts as YAML text, since the user opens and saves them: cameras, lamps and solids whose planes of
+// incidence are known.
 #pragma once
 
 #include <string>
