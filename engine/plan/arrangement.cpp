@@ -187,6 +187,16 @@ Result<Done> arrange(const Scene& scene, Plan& plan) {
     return RegionBuilder(scene, relations.value(), plan).build();
 }
 
+Kernel Plan::kernel() const {
+    Kernel kernel;
+    for (const WavelengthGroup& group : groups)
+        for (const MediumAt& medium : group.media) {
+            if (medium.dielectric.kind == MediumKind::uniaxial) kernel.anisotropic = true;
+            if (medium.absorption.absorbs()) kernel.absorbing = true;
+        }
+    return kernel;
+}
+
 int Plan::region_at(const DVec3& point) const {
     std::vector<int> members;
     for (int i = 0; i < solid_count(); ++i) {

@@ -14,12 +14,10 @@ struct Feature {
     std::string reason;  ///< by which object, or why not
 };
 
-/// Flags that choose the kernel, the account for the user, and what makes bounds less than bounds.
+/// The account for the user, and what makes bounds less than bounds.
 struct Features {
-    bool anisotropic = false;  ///< some region holds a crystal
-    bool absorbing = false;    ///< some region absorbs along the ray
-    bool meshes = false;       ///< an Embree scene is built
-    std::string kernel;        ///< name of the template instance that will run
+    bool meshes = false;  ///< an Embree scene is built
+    std::string kernel;   ///< name of the kernel that will run
     std::vector<Feature> list;
     /// What the model of light leaves out though this scene would show it, a sentence each (coherence.h). Where there
     /// is one, bounds are those of the model and not of the truth.

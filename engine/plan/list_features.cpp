@@ -45,6 +45,16 @@ std::vector<std::string> surfaces_with(const Plan& plan) {
     return names;
 }
 
+/// Names of what Embree must meet.
+std::vector<std::string> mesh_bodies(const Plan& plan) {
+    std::vector<std::string> names;
+    for (const Solid& solid : plan.solids)
+        if (std::holds_alternative<MeshBody>(solid.shape)) names.push_back(solid.name);
+    for (const Surface& surface : plan.surfaces)
+        if (std::holds_alternative<MeshBody>(surface.shape)) names.push_back(surface.name);
+    return names;
+}
+
 class Account {
 public:
     void add(const std::string& name, const std::vector<std::string>& users, const std::string& use,
@@ -96,16 +106,12 @@ void account_for_extinction(const Scene& scene, Account& account) {
 void account_for_geometry(const Plan& plan, Account& account) {
     std::vector<std::string> half_spaces;
     std::vector<std::string> spheres;
-    std::vector<std::string> meshes;
     std::vector<std::string> touching;
     for (const Solid& solid : plan.solids) {
         if (std::holds_alternative<HalfSpaceSolid>(solid.shape)) half_spaces.push_back(solid.name);
         if (std::holds_alternative<Sphere>(solid.shape)) spheres.push_back(solid.name);
-        if (std::holds_alternative<MeshBody>(solid.shape)) meshes.push_back(solid.name);
         if (!solid.contacts.empty()) touching.push_back(solid.name);
     }
-    for (const Surface& surface : plan.surfaces)
-        if (std::holds_alternative<MeshBody>(surface.shape)) meshes.push_back(surface.name);
     std::vector<std::string> nested;
     for (const Region& region : plan.regions)
         if (region.members.size() > 1)
@@ -114,7 +120,8 @@ void account_for_geometry(const Plan& plan, Account& account) {
                     nested.push_back(plan.solid(member).name);
     account.add("half-space solids", half_spaces, "exact planes in double: ", "no flat convex solid");
     account.add("analytic spheres", spheres, "", "no sphere");
-    account.add("Embree scene", meshes, "meshes that are not convex, not closed, or of more than 4096 facets: ",
+    account.add("Embree scene", mesh_bodies(plan),
+                "meshes that are not convex, not closed, or of more than 4096 facets: ",
                 "flat convex solids, spheres and flat surfaces need none");
     account.add("shared faces", touching, "touching solids become one interface: ", "no two solids touch");
     account.add("faces nearly in one plane", near_misses(plan),
@@ -208,18 +215,8 @@ Features list_features(const Scene& scene, const Plan& plan) {
     account_for_geometry(plan, account);
     account_for_light(scene, plan, account);
     Features features;
-    const auto needed = [&](const std::string& name) {
-        return std::any_of(account.list.begin(), account.list.end(),
-                           [&](const Feature& f) { return f.name == name && f.needed; });
-    };
-    features.anisotropic = needed("crystals (o and e rays)");
-    features.meshes = needed("Embree scene");
-    features.absorbing = std::any_of(plan.groups.begin(), plan.groups.end(), [](const WavelengthGroup& group) {
-        return std::any_of(group.media.begin(), group.media.end(),
-                           [](const MediumAt& m) { return m.absorption.absorbs(); });
-    });
-    features.kernel = std::string(features.anisotropic ? "anisotropic" : "isotropic") +
-                      (features.absorbing ? ", absorbing" : ", lossless");
+    features.meshes = !mesh_bodies(plan).empty();
+    features.kernel = to_string(plan.kernel());
     features.doubts = coherence_doubts(plan, scene.unit_nm);
     account.list.push_back({"interference", false,
                             features.doubts.empty()

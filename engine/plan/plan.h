@@ -14,6 +14,7 @@
 #include "plan/camera_model.h"
 #include "plan/emitter.h"
 #include "plan/features.h"
+#include "plan/kernel.h"
 #include "scene/scene.h"
 
 namespace pol {
@@ -82,6 +83,9 @@ struct Plan {
     [[nodiscard]] const std::string& body_name(int body) const {
         return is_solid(body) ? solid(body).name : surface(body).name;
     }
+
+    /// By all media of all groups.
+    [[nodiscard]] Kernel kernel() const;
 
     /// Region that contains a point (boundaries count as outside).
     [[nodiscard]] int region_at(const DVec3& point) const;

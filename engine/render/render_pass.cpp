@@ -20,7 +20,7 @@ struct SilentUntilCancelled : Silent {
 template <bool anisotropic, bool absorbing>
 class KernelPass final : public PassTracer {
 public:
-    explicit KernelPass(const Plan& plan) : plan_(plan), tracer_(plan, observer_) {}
+    explicit KernelPass(PlanForKernel<anisotropic, absorbing> plan) : plan_(plan.plan()), tracer_(plan, observer_) {}
 
     RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
                            TileBuffer& buffer) override {
@@ -113,12 +113,9 @@ private:
 }  // namespace
 
 std::unique_ptr<PassTracer> make_pass_tracer(const Plan& plan) {
-    if (plan.features.anisotropic) {
-        if (plan.features.absorbing) return std::make_unique<KernelPass<true, true>>(plan);
-        return std::make_unique<KernelPass<true, false>>(plan);
-    }
-    if (plan.features.absorbing) return std::make_unique<KernelPass<false, true>>(plan);
-    return std::make_unique<KernelPass<false, false>>(plan);
+    return with_kernel(plan, [](auto plan_for_kernel) -> std::unique_ptr<PassTracer> {
+        return std::make_unique<decltype(KernelPass(plan_for_kernel))>(plan_for_kernel);
+    });
 }
 
 }  // namespace pol

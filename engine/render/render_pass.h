@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pass over one tile with the kernel that the plan chose.
+// One pass over one tile with the kernel that the plan needs.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@ public:
     virtual void preview(const PreviewGrid& grid, const std::atomic<bool>& cancelled, PreviewStrip& strip) = 0;
 };
 
-/// The kernel instance for the plan's features. The plan must outlive it.
+/// With the kernel for the plan. The plan must outlive it.
 std::unique_ptr<PassTracer> make_pass_tracer(const Plan& plan);
 
 }  // namespace pol

@@ -4,29 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/observers.h"
 #include "tracer/sample_task.h"
+#include "tracer/trace_sample.h"
 
 namespace pol {
 
 namespace {
-
-template <class Observer>
-TraceResult trace_with(const Plan& plan, const TraceTask& task, Observer& observer, std::span<Stokes<double>> sums) {
-    const auto run = [&]<bool anisotropic, bool absorbing>() {
-        return Tracer<anisotropic, absorbing, Observer>(plan, observer).trace(task, sums);
-    };
-    if (plan.features.anisotropic)
-        return plan.features.absorbing ? run.template operator()<true, true>() : run.template operator()<true, false>();
-    return plan.features.absorbing ? run.template operator()<false, true>() : run.template operator()<false, false>();
-}
-
-/// Silent, but for asking whether anybody still waits.
-struct Patient : Silent {
-    const KeepGoing& keep_going;
-    std::size_t branches = 0;
-    [[nodiscard]] bool cancelled() const { return !keep_going(branches); }
-};
 
 constexpr std::size_t branches_between_questions = 256;
 
@@ -153,14 +136,16 @@ std::optional<Explanation> explain(const Plan& plan, int x, int y, std::uint32_t
 
     TreeRecorder recorder(place, keep_going);
     std::vector<Stokes<double>> sums(wavelengths.wavelengths.size());
-    out.result = trace_with(plan, out.task, recorder, sums);
+    out.result = with_kernel(
+        plan, [&](auto plan_for_kernel) { return Tracer(plan_for_kernel, recorder).trace(out.task, sums); });
     if (out.result.cancelled) return std::nullopt;
     out.tree = std::move(recorder.tree);
     if (!gather(plan, out, keep_going)) return std::nullopt;
 
-    Patient silent{{}, keep_going, out.tree.nodes.size()};
+    const std::size_t branches = out.tree.nodes.size();
     sums.assign(wavelengths.wavelengths.size(), {});
-    if (trace_with(plan, out.task, silent, sums).cancelled) return std::nullopt;
+    if (trace_sample(plan, out.task, sums, [&](std::size_t) { return keep_going(branches); }).cancelled)
+        return std::nullopt;
     out.sample_light = sums[place];
     for (const int leaf : out.tree.leaves) {
         const RayTreeNode& node = out.tree.nodes[static_cast<std::size_t>(leaf)];

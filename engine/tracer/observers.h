@@ -3,6 +3,8 @@
 // writes everything down (ray_tree.h): same kernel, same numbers.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 
 #include "polarization/stokes.h"
@@ -10,6 +12,9 @@
 #include "tracer/node.h"
 
 namespace pol {
+
+/// Asked now and then, with the number of branches so far, by work that may take long: false ends it.
+using KeepGoing = std::function<bool(std::size_t branches)>;
 
 /// Sees nothing, never stops. What an observer must offer.
 struct Silent {

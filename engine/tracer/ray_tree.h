@@ -2,7 +2,6 @@
 // A backward tree written down: every branch with what it met, what it weighs and the light that came along it.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "polarization/coherence_matrix.h"
 #include "tracer/crossing.h"
 #include "tracer/node.h"
+#include "tracer/observers.h"
 
 namespace pol {
 
@@ -50,9 +50,6 @@ struct RayTree {
 /// camera's axes before the first interface. The kernel's s and p are right-handed about the backward ray. A single
 /// mode gets a y axis as well; it has no field along it.
 Node in_frame_of_light(Node node);
-
-/// Asked now and then, with the number of branches so far, by work that may take long: false ends it.
-using KeepGoing = std::function<bool(std::size_t branches)>;
 
 /// Observer that writes the tree down (tracer/observers.h), with the light of one wavelength of the group.
 class TreeRecorder {

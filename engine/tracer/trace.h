@@ -26,6 +26,7 @@
 #include "tracer/node.h"
 #include "tracer/node_queue.h"
 #include "tracer/step.h"
+#include "tracer/with_kernel.h"
 
 namespace pol {
 
@@ -63,12 +64,12 @@ constexpr int tail_limit(int node_budget) {
 }
 
 /// Traces samples of one plan; keeps its memory between samples. Not for sharing between threads.
-/// anisotropic, absorbing: what the plan needs (Features); the rest is not compiled in.
+/// anisotropic, absorbing: what the plan needs (with_kernel); the rest is not compiled in.
 template <bool anisotropic, bool absorbing, class Observer>
 class Tracer {
 public:
     /// The plan must outlive the tracer.
-    Tracer(const Plan& plan, Observer& observer) : plan_(plan), observer_(observer) {}
+    Tracer(PlanForKernel<anisotropic, absorbing> plan, Observer& observer) : plan_(plan.plan()), observer_(observer) {}
 
     /// Adds the light of the sample to `sums`, one Stokes vector per wavelength of the group.
     TraceResult trace(const TraceTask& task, std::span<Stokes<double>> sums) {

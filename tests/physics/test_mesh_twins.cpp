@@ -8,7 +8,7 @@
 #include "geometry/shapes.h"
 #include "polarization/measures.h"
 #include "support/shipped_scenes.h"
-#include "tracer/observers.h"
+#include "tracer/trace_sample.h"
 
 namespace pol {
 namespace {
@@ -126,8 +126,6 @@ TEST(HalfSpacesAndEmbree, NoRayLeaksThroughAnEdgeOrCornerOfTheBrilliant) {
         scene.render.depth = 6;
         const auto plan = test::plan_of(scene);
         const Mesh stone = make_mesh(BrilliantShape{}).value();
-        Silent silent;
-        Tracer<false, false, Silent> tracer(*plan, silent);
         int rays = 0;
         for (const DVec3& point : corners_and_midpoints(stone)) {
             for (int i = 0; i < 25; ++i) {
@@ -145,7 +143,7 @@ TEST(HalfSpacesAndEmbree, NoRayLeaksThroughAnEdgeOrCornerOfTheBrilliant) {
                 task.residual = plan->settings.residual;
                 task.node_budget = plan->settings.node_budget;
                 Stokes<double> light;
-                const TraceResult r = tracer.trace(task, {&light, 1});
+                const TraceResult r = trace_sample(*plan, task, {&light, 1});
                 ASSERT_EQ(r.failures, 0U) << "one mesh: " << one_mesh << ", direction " << i;
                 ASSERT_NEAR(r.resolved + r.absorbed + r.residual, 1.0, 1e-11);
                 ++rays;

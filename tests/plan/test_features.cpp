@@ -85,16 +85,16 @@ TEST(Features, NeededOnesNameWhoNeedsThem) {
     const auto crystal = box_of("{crystal: calcite}", "[450, 550]");
     names(crystal, "crystals (o and e rays)", "thing");
     names(crystal, "dispersion", "thing");
-    EXPECT_TRUE(crystal->features.anisotropic);
-    EXPECT_FALSE(crystal->features.absorbing);
+    EXPECT_TRUE(crystal->kernel().anisotropic);
+    EXPECT_FALSE(crystal->kernel().absorbing);
     EXPECT_EQ(crystal->groups.size(), 2U);
 
     names(box_of("{conductor: gold}", "580"), "metals", "thing");
 
     const auto smoky = box_of("{index: 1.5, absorption: 2}", "580");
     names(smoky, "absorption along rays", "thing");
-    EXPECT_TRUE(smoky->features.absorbing);
-    EXPECT_FALSE(smoky->features.anisotropic);
+    EXPECT_TRUE(smoky->kernel().absorbing);
+    EXPECT_FALSE(smoky->kernel().anisotropic);
 
     const auto busy = box_of("1.5", "580", R"(
   - {name: foil, shape: {disk: {radius: 1}}, transform: [{translate: [0, 0, 2]}], sheet: {polarizer: {axis: [1, 0, 0]}}}
@@ -110,7 +110,7 @@ TEST(Features, NeededOnesNameWhoNeedsThem) {
 // Equal indices make a crystal glass: no anisotropic code, and the picture is that of glass to the bit.
 TEST(Features, ACrystalWithEqualIndicesIsGlass) {
     const auto twin = box_of("{ordinary: 1.5, extraordinary: 1.5, axis: [1, 2, 3]}", "580");
-    EXPECT_FALSE(twin->features.anisotropic);
+    EXPECT_FALSE(twin->kernel().anisotropic);
     EXPECT_FALSE(feature(*twin, "crystals (o and e rays)").needed);
 }
 

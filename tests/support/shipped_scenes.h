@@ -36,7 +36,7 @@ using verify::carried;
 using verify::small;
 
 inline bool has_crystals(const Plan& plan) {
-    return plan.features.anisotropic;
+    return plan.kernel().anisotropic;
 }
 
 /// Triangles of `a` and `b` as one mesh.

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "support/shipped_scenes.h"
-#include "tracer/observers.h"
 #include "tracer/sample_task.h"
+#include "tracer/trace_sample.h"
 
 namespace pol {
 namespace {
@@ -50,20 +50,17 @@ Spread spread(const std::vector<double>& values) {
 TEST(Tail, EstimatesTheRestOfTheTreeWithoutBias) {
     const auto shallow = test::plan_of(prism(5));
     const auto deep = test::plan_of(prism(60000));
-    Silent silent;
-    Tracer<true, false, Silent> shallow_tracer(*shallow, silent);
-    Tracer<true, false, Silent> deep_tracer(*deep, silent);
     constexpr double Stokes<double>::*components[] = {&Stokes<double>::s0, &Stokes<double>::s1, &Stokes<double>::s2,
                                                       &Stokes<double>::s3};
     for (const int x : {2, 3, 4, 5}) {
         Stokes<double> truth;
-        const TraceResult reference = deep_tracer.trace(sample_task(*deep, x, 5, 0, 0), {&truth, 1});
+        const TraceResult reference = trace_sample(*deep, sample_task(*deep, x, 5, 0, 0), {&truth, 1});
         const double unknown = (reference.residual + 2.0 * reference.tail) * deep->brightest[0];
         std::vector<std::vector<double>> values(4);
         double tails = 0.0;
         for (std::uint32_t k = 0; k < 4000; ++k) {
             Stokes<double> light;
-            const TraceResult r = shallow_tracer.trace(sample_task(*shallow, x, 5, k, 0), {&light, 1});
+            const TraceResult r = trace_sample(*shallow, sample_task(*shallow, x, 5, k, 0), {&light, 1});
             tails += r.tail;
             for (std::size_t c = 0; c < 4; ++c) values[c].push_back(light.*components[c]);
         }

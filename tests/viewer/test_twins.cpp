@@ -37,7 +37,7 @@ TEST(IsotropicTwin, HasTheMeanPermittivityAndKeepsThePlateOfTheLamp) {
     EXPECT_NEAR(std::get<ConstantSpectrum>(glass->absorption).value, 0.4, 1e-15);
     const auto& plate = std::get<CrystalPlateState>(std::get<Emission>(twin.value().objects[1].role).state);
     EXPECT_EQ(plate.medium, "calcite (plate)");
-    EXPECT_FALSE(test::plan_of(twin.value())->features.anisotropic);
+    EXPECT_FALSE(test::plan_of(twin.value())->kernel().anisotropic);
 }
 
 // With n_e = n_o a crystal is glass, so the twin's picture is the picture.

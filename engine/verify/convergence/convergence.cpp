@@ -409,7 +409,7 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
 Result<ConvergenceResult> Sweep::run() {
     auto plan = compile(request_.scene);
     if (!plan) return plan.error();
-    settings_ = convergence_settings(request_.scene, plan.value()->features.anisotropic);
+    settings_ = convergence_settings(request_.scene, plan.value()->kernel().anisotropic);
     if (auto found = find_reference(); !found) return found.error();
     if (stopped_) return std::move(result_);
     if (auto loaded = load_rows(); !loaded) return loaded.error();

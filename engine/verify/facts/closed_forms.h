@@ -46,7 +46,7 @@ inline double plate_transmittance(double n) {
     return 2.0 * n / (n * n + 1.0);
 }
 
-/// delta_p - delta_s of one total reflection in a medium of relative index n at the angle `i` (physics.md 2.1).
+/// delta_p - delta_s of one total reflection in a medium of relative index n at the angle `i` (PHYSICS.md 2.1).
 inline double retardance(double n, double i) {
     const double sin2 = std::pow(std::sin(i), 2);
     return -2.0 * std::atan(std::cos(i) * std::sqrt(sin2 - 1.0 / (n * n)) / sin2);
