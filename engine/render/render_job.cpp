@@ -122,21 +122,25 @@ void RenderJob::stop(StopReason reason) {
     if (reason == StopReason::cancelled || reason == StopReason::time || reason == StopReason::memory) cancelled = true;
 }
 
-void RenderJob::look(Clock::time_point now) {
+double RenderJob::seconds_at(Clock::time_point now) const {
     // Only a suspended program (Ctrl-Z, a sleeping computer) looks this late.
     constexpr double longest_gap_s = 1.0;
     const double passed = std::chrono::duration<double>(now - last_look_).count();
+    return paused_ || finished() || passed > longest_gap_s ? seconds_ : seconds_ + passed;
+}
+
+void RenderJob::look(Clock::time_point now) {
+    seconds_ = seconds_at(now);
     last_look_ = now;
-    if (paused_ || finished() || passed > longest_gap_s) return;
-    seconds_ += passed;
-    if (seconds_to_limit() <= 0.0) stop(StopReason::time);
+    if (!finished() && !paused_ && seconds_to_limit() <= 0.0) stop(StopReason::time);
 }
 
 double RenderJob::seconds_to_limit() const {
     return rules_.seconds ? *rules_.seconds - seconds_ : std::numeric_limits<double>::infinity();
 }
 
-RenderProgress RenderJob::progress() const {
+RenderProgress RenderJob::progress(Clock::time_point now) const {
+    const double seconds = seconds_at(now);
     RenderProgress progress;
     progress.generation = generation;
     const RenderSettings& settings = plan->settings;
@@ -147,18 +151,18 @@ RenderProgress RenderJob::progress() const {
     progress.reason = reason_;
     progress.paused = paused_;
     progress.statistics = statistics_;
-    progress.seconds = seconds_;
+    progress.seconds = seconds;
     for (const RenderTask& task : busy_)
         if (const auto* at = std::get_if<TileTask>(&task))
             progress.under_way.push_back(tiles[static_cast<std::size_t>(at->tile)]);
     progress.reports = reports_;
 
-    double left = seconds_to_limit();
-    if (progress.done > 0.0) left = std::min(left, seconds_ / progress.done - seconds_);
+    double left = rules_.seconds ? *rules_.seconds - seconds : std::numeric_limits<double>::infinity();
+    if (progress.done > 0.0) left = std::min(left, seconds / progress.done - seconds);
     if (!reports_.empty() && sampling_limit(reports_.back()) && rules_.error) {
         // Halves of quasi-random samples: the error falls like N^-0.75 (CUTTING.md 4).
         const double factor = std::pow(2.0 * *sampling_limit(reports_.back()) / *rules_.error, 4.0 / 3.0);
-        left = std::min(left, std::max(0.0, reports_.back().seconds * factor - seconds_));
+        left = std::min(left, std::max(0.0, reports_.back().seconds * factor - seconds));
     }
     if (progress.finished)
         progress.seconds_left = 0.0;

@@ -69,10 +69,12 @@ public:
     [[nodiscard]] bool paused() const { return paused_; }
 
     /// All but what the film knows.
-    [[nodiscard]] RenderProgress progress() const;
+    [[nodiscard]] RenderProgress progress(Clock::time_point now) const;
+    /// At the last look.
     [[nodiscard]] double seconds_to_limit() const;
 
 private:
+    [[nodiscard]] double seconds_at(Clock::time_point now) const;
     void queue_passes(std::uint32_t first_sample);
     void forget(const RenderTask& task);
     [[nodiscard]] std::uint32_t wanted() const { return static_cast<std::uint32_t>(plan->settings.samples_per_pixel); }

@@ -40,14 +40,15 @@ Renderer::Renderer(int threads, int tile_size, std::function<void()> wake, std::
     : tile_size_(tile_size), wake_(std::move(wake)), prepare_worker_(std::move(prepare_worker)) {
     POL_EXPECTS(threads > 0 && tile_size > 0);
     for (int i = 0; i < threads; ++i)
-        workers_.emplace_back([this](const std::stop_token& shutdown) { work(shutdown); });
+        threads_.emplace_back([this](const std::stop_token& shutdown) { work(shutdown); });
+    threads_.emplace_back([this](const std::stop_token& shutdown) { keep_time(shutdown); });
 }
 
 Renderer::~Renderer() {
     cancel();
-    for (std::jthread& worker : workers_) worker.request_stop();
+    for (std::jthread& thread : threads_) thread.request_stop();
     changed_.notify_all();
-    workers_.clear();
+    threads_.clear();
 }
 
 Generation Renderer::start(std::shared_ptr<const Plan> plan, const RenderOptions& options) {
@@ -56,10 +57,11 @@ Generation Renderer::start(std::shared_ptr<const Plan> plan, const RenderOptions
         const std::scoped_lock lock(mutex_);
         if (job_) job_->stop(StopReason::cancelled);
         generation = ++generation_;
+        film_.reset(film_layout(*plan, tile_size_), generation);
         job_ = std::make_shared<RenderJob>(std::move(plan), generation, options, tile_size_);
-        film_.reset(film_layout(*job_->plan, tile_size_), generation);
     }
     changed_.notify_all();
+    clock_.notify_all();
     return generation;
 }
 
@@ -86,29 +88,24 @@ void Renderer::resume() {
         job_->pause(false);
     }
     changed_.notify_all();
+    clock_.notify_all();
 }
 
 bool Renderer::wait_for(double seconds) {
-    constexpr double look_every_s = 0.1;
-    const auto begin = Clock::now();
     std::unique_lock lock(mutex_);
-    for (;;) {
-        if (!job_) return true;
-        const auto now = Clock::now();
-        job_->look(now);
-        if (job_->finished()) return true;
-        const double left = seconds - std::chrono::duration<double>(now - begin).count();
-        if (left <= 0.0) return false;
-        const double nap = std::min({left, look_every_s, job_->seconds_to_limit()});
-        changed_.wait_for(lock, std::chrono::duration<double>(nap));
-    }
+    return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                             [this] { return !job_ || job_->finished(); });
+}
+
+void Renderer::wait() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !job_ || job_->finished(); });
 }
 
 RenderProgress Renderer::progress() const {
     const std::scoped_lock lock(mutex_);
     if (!job_) return {};
-    job_->look(Clock::now());
-    RenderProgress progress = job_->progress();
+    RenderProgress progress = job_->progress(Clock::now());
     progress.film = film_.status();
     return progress;
 }
@@ -172,6 +169,25 @@ void Renderer::work(const std::stop_token& shutdown) {
         }
         changed_.notify_all();
         if (wake_) wake_();
+    }
+}
+
+/// Looks at the clock while a job runs, often enough to tell a suspended program from a slow one (RenderJob::look).
+void Renderer::keep_time(const std::stop_token& shutdown) {
+    constexpr double look_every_s = 0.1;
+    std::unique_lock lock(mutex_);
+    while (clock_.wait(lock, shutdown, [this] { return job_ && !job_->paused() && !job_->finished(); })) {
+        const std::shared_ptr<RenderJob> job = job_;
+        job->look(Clock::now());
+        if (job->finished()) {  // time is up, and no worker was at anything that would tell
+            lock.unlock();
+            changed_.notify_all();
+            if (wake_) wake_();
+            lock.lock();
+            continue;
+        }
+        const std::chrono::duration<double> nap(std::clamp(job->seconds_to_limit(), 0.0, look_every_s));
+        clock_.wait_for(lock, shutdown, nap, [&] { return job_ != job; });
     }
 }
 

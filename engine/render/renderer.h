@@ -22,11 +22,9 @@ class PassTracer;
 /// Threads that the machine can run at once, at least 1.
 int hardware_threads();
 
-/// Thread safety: snapshot() and film() from any thread, the other members from the owner's; `wake` is called from
-/// workers.
-///
-/// The owner looks, with wait_for() or progress(), at least once a second while a job runs: that keeps the time limit,
-/// and a longer gap is taken for a suspended program, whose time does not count.
+/// Thread safety: snapshot(), film(), progress() and cancel() from any thread, the other members from the owner's;
+/// `wake` is called from threads of the renderer. One of them keeps the time limit; the time of a suspended program
+/// does not count.
 class Renderer {
 public:
     /// `wake` is called after every tile or row of the preview that is in the film, and at the end of a job. Smaller
@@ -50,8 +48,10 @@ public:
     void pause();
     void resume();
 
-    /// Waits until the job is finished or `seconds` have passed; true if finished.
+    /// Waits until the job is finished or `seconds` have passed; true if finished, or if there is none.
     bool wait_for(double seconds);
+    /// Waits until the job is finished. One that is paused is not.
+    void wait();
 
     [[nodiscard]] RenderProgress progress() const;
 
@@ -69,6 +69,7 @@ private:
     void work(const std::stop_token& shutdown);
     [[nodiscard]] Work next(const std::stop_token& shutdown);
     void render(PassTracer& tracer, const Work& work);
+    void keep_time(const std::stop_token& shutdown);
 
     Film film_;
     int tile_size_;
@@ -76,9 +77,10 @@ private:
     std::function<void()> prepare_worker_;
     mutable std::mutex mutex_;  // guards the members below; taken before the film's
     std::condition_variable_any changed_;
+    std::condition_variable_any clock_;  // a job begins or goes on
     std::shared_ptr<RenderJob> job_;
     Generation generation_ = 0;
-    std::vector<std::jthread> workers_;
+    std::vector<std::jthread> threads_;  // the workers, and who keeps the time
 };
 
 }  // namespace pol

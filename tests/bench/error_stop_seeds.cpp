@@ -66,8 +66,7 @@ std::optional<Stopped> render_to(Scene scene, double error) {
     options.stop.error = error;
     for (;;) {
         renderer.start(test::plan_of(scene), options);
-        while (!renderer.wait_for(1.0)) {
-        }
+        renderer.wait();
         const RenderProgress progress = renderer.progress();
         if (progress.reason == StopReason::error) return Stopped{renderer.snapshot(), progress.reports.back()};
         if (progress.reason != StopReason::truncation) return std::nullopt;

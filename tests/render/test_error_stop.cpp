@@ -31,8 +31,7 @@ Stopped render_to(Scene scene, double error, int threads = 2) {
     options.stop.error = error;
     for (;;) {
         renderer.start(test::plan_of(scene), options);
-        while (!renderer.wait_for(1.0)) {
-        }
+        renderer.wait();
         const RenderProgress progress = renderer.progress();
         if (progress.reason != StopReason::truncation) return {renderer.snapshot(), progress, scene.render.residual};
         const auto finer = finer_residual(progress.reports.back(), scene.render.residual, error);

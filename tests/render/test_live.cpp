@@ -30,8 +30,7 @@ RenderOptions live() {
 }
 
 void finish(Renderer& renderer) {
-    while (!renderer.wait_for(1.0)) {
-    }
+    renderer.wait();
 }
 
 TEST(LiveRender, GivesTheSameBitsAsARenderThatNobodyWatches) {

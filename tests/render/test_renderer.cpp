@@ -67,8 +67,7 @@ TEST(Renderer, GivesTheSameBitsAfterRestartsInATightLoop) {
             if (i % 7 == 0) renderer.cancel();
         }
         renderer.start(plan);
-        while (!renderer.wait_for(1.0)) {
-        }
+        renderer.wait();
         expect_same_bits(renderer.snapshot(), reference);
         const RenderProgress progress = renderer.progress();
         EXPECT_TRUE(progress.finished);
@@ -163,8 +162,7 @@ TEST(Renderer, RestsWhilePausedAndGoesOnToTheSameBits) {
     const bool could_finish = before.statistics.samples + under_way >= 40U * 36U * samples;
     EXPECT_TRUE(!finished || could_finish);
     renderer.resume();
-    while (!renderer.wait_for(1.0)) {
-    }
+    renderer.wait();
     expect_same_bits(renderer.snapshot(), test::render(plan));
 }
 

@@ -8,7 +8,7 @@
 
 #include "io/scenes/scene_file.h"
 #include "plan/compile.h"
-#include "render/renderer.h"
+#include "render/render_to_end.h"
 #include "tracer/explain.h"
 
 namespace pol::test {
@@ -35,11 +35,7 @@ inline std::shared_ptr<const Plan> plan_of(const Scene& scene) {
 
 /// The finished picture.
 inline StokesImage render(const std::shared_ptr<const Plan>& plan, int threads = 1, int tile_size = 32) {
-    Renderer renderer(threads, tile_size);
-    renderer.start(plan);
-    while (!renderer.wait_for(1.0)) {
-    }
-    return renderer.snapshot();
+    return render_to_end(plan, {}, {threads, tile_size}).picture;
 }
 
 inline StokesImage render(const Scene& scene) {

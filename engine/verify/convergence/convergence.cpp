@@ -137,7 +137,7 @@ Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, SolidKe
     while (!renderer.wait_for(0.1)) {
         if (tell(doing_)) continue;
         renderer.cancel();
-        renderer.wait_for(1e9);
+        renderer.wait();
         return std::optional<Shot>();
     }
     shot.wall_s = seconds_since(start);

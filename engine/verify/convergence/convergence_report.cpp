@@ -11,7 +11,7 @@
 #include "maps/color_scale.h"
 #include "plan/compile.h"
 #include "polarization/coherence_matrix.h"
-#include "render/renderer.h"
+#include "render/render_to_end.h"
 #include "report/html_page.h"
 #include "verify/convergence/convergence_summary.h"
 
@@ -195,10 +195,7 @@ Result<std::vector<BudgetPicture>> budget_pictures(const ConvergenceRequest& req
         scene.render = first[index].settings;
         auto plan = compile(scene);
         if (!plan) return plan.error();
-        Renderer renderer(request.threads);
-        renderer.start(std::move(plan).value());
-        renderer.wait_for(1e9);
-        const StokesImage image = renderer.snapshot();
+        const StokesImage image = render_to_end(std::move(plan).value(), {}, {.threads = request.threads}).picture;
         const double error = error_metrics(image, reference).fro_c.whole;
         std::string caption = "residual " + fmt::format("{:g}", scene.render.residual);
         if (scene.render.mode == SampleMode::area)

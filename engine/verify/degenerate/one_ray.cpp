@@ -6,23 +6,17 @@
 #include <utility>
 
 #include "plan/compile.h"
-#include "render/renderer.h"
-#include "scene/check.h"
+#include "render/render_to_end.h"
 
 namespace pol::verify {
 
 OneRay look(const Scene& scene) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const OneRay refused{{nan, nan, nan, nan}, nan};
-    if (first_problem(scene)) return refused;
     const auto plan = compile(scene);
     if (!plan) return refused;
-    Renderer renderer(1);
-    renderer.start(plan.value());
-    while (!renderer.wait_for(1.0)) {
-    }
-    if (renderer.progress().statistics.failures > 0) return refused;
-    const StokesImage picture = renderer.snapshot();
+    const auto [picture, progress] = render_to_end(plan.value(), {}, {.threads = 1});
+    if (progress.statistics.failures > 0) return refused;
     return {picture.at(0, 0), picture.plane_value(picture.residual, 0, 0) + picture.plane_value(picture.tail, 0, 0)};
 }
 

@@ -6,17 +6,15 @@
 #include <utility>
 
 #include "plan/compile.h"
+#include "render/render_to_end.h"
 
 namespace pol::verify {
 
 Result<SceneUnderTest> under_test(const Scene& scene) {
     auto plan = compile(scene);
     if (!plan) return plan.error();
-    Renderer renderer(1);
-    renderer.start(plan.value());
-    while (!renderer.wait_for(1.0)) {
-    }
-    return SceneUnderTest{scene, std::move(plan).value(), renderer.snapshot(), renderer.progress().statistics};
+    FinishedRender render = render_to_end(plan.value(), {}, {.threads = 1});
+    return SceneUnderTest{scene, std::move(plan).value(), std::move(render.picture), render.progress.statistics};
 }
 
 std::string_view outcome_text(Outcome outcome) {

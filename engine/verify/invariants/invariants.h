@@ -14,7 +14,7 @@
 #include "core/result.h"
 #include "film/stokes_image.h"
 #include "plan/plan.h"
-#include "render/renderer.h"
+#include "render/render_progress.h"
 #include "scene/scene.h"
 
 namespace pol::verify {

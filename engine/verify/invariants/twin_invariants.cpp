@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "polarization/measures.h"
-#include "render/renderer.h"
+#include "render/render_to_end.h"
 #include "tracer/explain.h"
 #include "verify/invariants/error_bar_check.h"
 #include "verify/invariants/invariants.h"
@@ -16,11 +16,7 @@ namespace pol::verify {
 namespace {
 
 StokesImage render(const std::shared_ptr<const Plan>& plan, int threads, int tile_size) {
-    Renderer renderer(threads, tile_size);
-    renderer.start(plan);
-    while (!renderer.wait_for(1.0)) {
-    }
-    return renderer.snapshot();
+    return render_to_end(plan, {}, {threads, tile_size}).picture;
 }
 
 /// Interfaces that a ray may meet where a symmetry is tested: few enough for crystals, whose trees double each time.
