@@ -115,7 +115,7 @@ Result<Scene> load_scene_with(const SceneOptions& options) {
     }
     if (options.seed) settings.seed = *options.seed;
     if (options.unpolarized) settings.unpolarized = true;
-    // New wavelengths may lie outside an index record.
+    // New wavelengths may lie outside an index record: who asks for this scene may make a folder for it next.
     if (auto problem = first_problem(scene)) return *problem;
     for (const std::string& unknown : unknown_extinctions(scene)) remark("polariscope: " + printable(unknown) + "\n");
     return scene;

@@ -11,13 +11,14 @@
 #include "core/overloaded.h"
 #include "core/random.h"
 #include "geometry/mesh_check.h"
-#include "geometry/overlap.h"
 #include "geometry/shapes.h"
 #include "plan/arrangement.h"
 #include "plan/compile_light.h"
 #include "plan/compile_media.h"
 #include "plan/list_features.h"
 #include "plan/reach.h"
+#include "plan/standpoint.h"
+#include "scene/check.h"
 #include "scene/place.h"
 
 namespace pol {
@@ -33,9 +34,6 @@ std::string direction_text(const DVec3& d) {
 /// Planes are tested one by one, and whether a mesh is convex takes their number squared. Embree is faster from 2000
 /// on.
 constexpr std::size_t most_half_spaces = 4096;
-
-/// Radiance is defined where a wave keeps its power over many wavelengths.
-constexpr double strongest_camera_extinction = 0.01;
 
 /// Shape of a solid in world space: half-spaces where it is flat-faced and convex, else a sphere or a mesh.
 using SolidShape = std::variant<HalfSpaceSolid, Sphere, MeshBody>;
@@ -59,10 +57,8 @@ Result<SolidShape> solid_shape(const Object& object, SolidKernel kernel) {
         if (!made) return made.error();
         return SolidShape{made.value()};
     }
-    if (const auto* file = std::get_if<MeshShape>(&object.shape)) {
-        POL_EXPECTS(file->mesh != nullptr);
+    if (const auto* file = std::get_if<MeshShape>(&object.shape))
         return from_mesh(*file->mesh, object.to_world, kernel);
-    }
     auto mesh = make_mesh(object.shape);
     if (!mesh) return mesh.error();
     return from_mesh(mesh.value(), object.to_world, kernel);
@@ -222,20 +218,6 @@ double extent(const Plan& plan) {
     return largest > 0.0 ? largest : 1.0;
 }
 
-bool is_isotropic(const Plan& plan, int region) {
-    const auto medium = static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium);
-    return plan.groups[0].media[medium].dielectric.kind == MediumKind::isotropic;
-}
-
-/// Isotropic, and absorbing too little for a wave to notice at any wavelength.
-bool is_fit_for_camera(const Plan& plan, int region) {
-    const auto medium = static_cast<std::size_t>(plan.regions[static_cast<std::size_t>(region)].medium);
-    return is_isotropic(plan, region) &&
-           std::all_of(plan.groups.begin(), plan.groups.end(), [&](const WavelengthGroup& group) {
-               return group.media[medium].dielectric.kappa < strongest_camera_extinction;
-           });
-}
-
 /// The rectangle that the rays of an orthographic picture start on.
 OpenSurface start_of_rays(const Camera& camera, const RenderSettings& settings) {
     const auto corner = [&](double x, double y) {
@@ -268,24 +250,12 @@ int unfit_start(const Plan& plan) {
 
 /// The lamp or absorber whose closed body a ray of the picture starts in, looked for as above; null if there is none.
 const Surface* body_around_camera(const Scene& scene, const Plan& plan) {
-    const auto around = [&plan](const DVec3& start) -> const Surface* {
-        for (const Surface& surface : plan.surfaces) {
-            const bool inside =
-                std::visit(Overloaded{[](const OpenSurface&) { return false; },
-                                      [&](const HalfSpaceSolid& s) { return s.contains(start, s.slack()); },
-                                      [&](const Sphere& s) { return s.contains(start, slack(SolidRef{&s})); },
-                                      [&](const MeshBody& s) { return s.closed && encloses(s.mesh, start); }},
-                           surface.shape);
-            if (inside) return &surface;
-        }
-        return nullptr;
-    };
-    if (scene.camera.projection != Projection::orthographic) return around(scene.camera.position);
+    if (scene.camera.projection != Projection::orthographic) return body_around(plan, scene.camera.position);
     const int step =
         1 + static_cast<int>(std::sqrt(static_cast<double>(plan.settings.width) * plan.settings.height / 65536.0));
     for (int y = 0; y < plan.settings.height; y += step)
         for (int x = 0; x < plan.settings.width; x += step)
-            if (const Surface* found = around(plan.camera.ray(x + 0.5, y + 0.5).origin)) return found;
+            if (const Surface* found = body_around(plan, plan.camera.ray(x + 0.5, y + 0.5).origin)) return found;
     return nullptr;
 }
 
@@ -328,11 +298,11 @@ Result<Done> place_camera(const Scene& scene, Plan& plan) {
 }  // namespace
 
 Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kernel) {
+    if (auto problem = first_problem(scene)) return *problem;
     auto plan = std::make_shared<Plan>();
     plan->settings = scene.render;
     plan->title = scene.title;
     plan->wavelengths_nm = scene.render.wavelengths_nm;
-    POL_EXPECTS(!plan->wavelengths_nm.empty());
 
     MediaTable media(scene);
     if (!scene.ambient.empty()) {

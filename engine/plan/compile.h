@@ -15,10 +15,10 @@ enum class SolidKernel {
     embree,       ///< as any other mesh: another way to the same hits, for checks
 };
 
-/// Turns the user's document into the immutable plan that workers read. Errors: what scene/check cannot see without
-/// geometry (overlapping solids, impossible shapes, a wavelength outside an index record, a camera inside a crystal),
-/// each with the place in the scene file. With SolidKernel::embree, touching solids are refused, too: only half-spaces
-/// tell which of their facets coincide.
+/// Turns the user's document into the immutable plan that workers read. Errors: whatever scene/check has to say about
+/// the scene, and what it cannot see without geometry (overlapping solids, impossible shapes, a camera inside a
+/// crystal), each with the place in the scene file. With SolidKernel::embree, touching solids are refused, too: only
+/// half-spaces tell which of their facets coincide.
 Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kernel = SolidKernel::half_spaces);
 
 }  // namespace pol

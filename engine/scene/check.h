@@ -20,7 +20,7 @@ inline constexpr double max_length = 1e15;
 
 /// The first thing in `scene` that cannot be rendered, or nothing. Looks at values only: ranges, names, and whether
 /// every spectrum and index in use covers the wavelengths of `scene.render`. Overlapping solids are found when the
-/// scene is compiled.
+/// scene is compiled, which asks here first.
 ///
 /// The error has kind input, a field path as in the scene file ("objects[2].medium", "media.glass.index"), a hint, and
 /// the place of the object or medium if it came from a file.

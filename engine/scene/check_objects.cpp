@@ -135,6 +135,12 @@ void check_sheet(SceneCheck& check, const Sheet& sheet, const Shape& shape, cons
                sheet);
 }
 
+bool is_whole(const RgbImage* image) {
+    return image != nullptr && image->width > 0 && image->height > 0 &&
+           image->rgb.size() ==
+               std::size_t{3} * static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height);
+}
+
 void check_emission(SceneCheck& check, const Emission& emission, const Shape& shape, const std::string& field) {
     const Scene& scene = check.scene();
     if (const auto* spectrum = std::get_if<Spectrum>(&emission.radiance)) {
@@ -143,8 +149,8 @@ void check_emission(SceneCheck& check, const Emission& emission, const Shape& sh
     if (const auto* textured = std::get_if<TexturedRadiance>(&emission.radiance)) {
         check.require(is_flat_sheet(shape), field + ".radiance", "only a rectangle or a disk can carry a texture",
                       "use {rectangle: {size: ...}} or a uniform radiance");
-        check.require(textured->image != nullptr && textured->image->width > 0 && textured->image->height > 0,
-                      field + ".radiance.texture", "the texture is empty", "name a PNG file");
+        check.require(is_whole(textured->image.get()), field + ".radiance.texture", "the texture is empty",
+                      "name a PNG file");
         check_spectrum(check, D65Spectrum{textured->scale}, scene.render.wavelengths_nm, field + ".radiance.scale");
     }
     if (const auto* state = std::get_if<FixedState>(&emission.state)) {

@@ -28,6 +28,35 @@ void expect_names(const Error& error, const std::string& field, std::initializer
     for (const char* name : names) EXPECT_NE(error.what.find(name), std::string::npos) << to_string(error);
 }
 
+// Nobody has to ask first_problem() before: compiling such a scene used to end the process.
+TEST(Refusals, WhatIsWrongWithTheValuesIsFoundWhenCompiling) {
+    const Scene good = test::shipped_scene("cube-glass");
+    const auto expect_refused = [](const Scene& scene, const std::string& field) {
+        const auto plan = compile(scene);
+        ASSERT_FALSE(plan) << field;
+        EXPECT_EQ(plan.error().field, field);
+        EXPECT_EQ(plan.error().kind, ErrorKind::input);
+    };
+    Scene blind = good;
+    blind.render.wavelengths_nm.clear();
+    expect_refused(blind, "render.wavelengths");
+    Scene empty = good;
+    empty.render.width = 0;
+    expect_refused(empty, "render.size");
+    Scene bodiless = good;
+    bodiless.objects[0].shape = MeshShape{"gone.ply", nullptr};
+    expect_refused(bodiless, "objects[0].shape.mesh.file");
+    Scene unknown = good;
+    unknown.objects[0].role = FilledWith{"unobtainium"};
+    expect_refused(unknown, "objects[0].medium");
+    Scene pale = good;
+    auto image = std::make_shared<RgbImage>();
+    image->width = image->height = 4;
+    pale.objects[0].shape = RectangleShape{};
+    pale.objects[0].role = Emission{TexturedRadiance{"pale.png", image, 1.0}, Unpolarized{}, false};
+    expect_refused(pale, "objects[0].emission.radiance.texture");
+}
+
 TEST(Refusals, AnOverlapWithoutPriorityNamesBothSolids) {
     expect_names(refusal(R"(
   - {name: ruby, shape: {box: {size: 1}}, medium: glass}

@@ -17,7 +17,6 @@
 #include "io/scenes/scene_hash.h"
 #include "io/scenes/scene_patch.h"
 #include "plan/compile.h"
-#include "scene/check.h"
 #include "verify/facts/fact.h"
 
 namespace pol {
@@ -134,7 +133,6 @@ Result<std::unique_ptr<Document>> Document::of_fact(const verify::Fact& fact, st
 Document::~Document() = default;
 
 Result<Done> Document::render(const Scene& scene) {
-    if (auto problem = first_problem(scene)) return *problem;
     auto plan = compile(scene);
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();

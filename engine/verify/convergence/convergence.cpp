@@ -166,8 +166,8 @@ RenderSettings Sweep::deepest() const {
     deep.depth.reset();
     deep.residual = 0.03 * smallest;
     // Tails are unbiased: over many samples they need no larger head.
-    deep.node_budget = area ? largest_budget : 8 * largest_budget;
-    deep.samples_per_pixel = area ? 4 * most_samples : 1;
+    deep.node_budget = area ? largest_budget : 8 * std::min(largest_budget, 1 << 27);
+    deep.samples_per_pixel = area ? std::min(4 * most_samples, 1 << 24) : 1;
     deep.seed = 0x5eed0001ULL;
     return deep;
 }
