@@ -21,6 +21,7 @@
 
 #include "cli/interface_cases.h"
 #include "cli/messages.h"
+#include "core/hypot.h"
 #include "core/units.h"
 #include "io/files/assets.h"
 #include "io/scenes/index_file.h"
@@ -155,7 +156,7 @@ DVec3 vector_of(const nlohmann::ordered_json& list) {
 
 /// Degrees between a direction and the normal's line.
 double tilt(const DVec3& v) {
-    return degrees(std::atan2(std::hypot(v.x, v.y), std::abs(v.z)));
+    return degrees(std::atan2(pol::hypot(v.x, v.y), std::abs(v.z)));
 }
 
 void print_table(const InterfaceCase& interface, const Request& request) {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/hypot.h"
+
 namespace pol {
 
 template <class Real>
@@ -58,7 +60,6 @@ constexpr Real norm2(const Complex<Real>& z) {
 
 template <class Real>
 Real abs(const Complex<Real>& z) {
-    using std::hypot;
     return hypot(z.re, z.im);
 }
 
@@ -74,7 +75,6 @@ Complex<Real> unit_phase(const Real& angle) {
 /// The branch is continuous across the positive real axis from above only; a real negative radicand gives +i.
 template <class Real>
 Complex<Real> sqrt_decaying(const Complex<Real>& z) {
-    using std::hypot;
     using std::sqrt;
     if (z.im == Real(0)) return z.re >= Real(0) ? Complex<Real>(sqrt(z.re)) : Complex<Real>(Real(0), sqrt(-z.re));
     const Real magnitude = hypot(z.re, z.im);

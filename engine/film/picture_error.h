@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/hypot.h"
+
 namespace pol {
 
 /// Errors relative to the picture, as `fro_c` measures them (CUTTING.md 3): root mean square over pixels and
@@ -34,7 +36,7 @@ struct PictureError {
 /// semidefinite, so that <T, T' + R> >= 0 and
 ///     ||T - T' - R||_F^2 <= ||T||_F^2 + ||T' + R||_F^2 <= tail^2 + (tail + residual)^2.
 inline double truncation_bound(double residual, double tail) {
-    return tail > 0.0 ? std::hypot(tail, tail + residual) : residual;
+    return tail > 0.0 ? hypot(tail, tail + residual) : residual;
 }
 
 /// What a set of pixels adds to the error of a picture. Sums over pixels and wavelengths.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "core/hypot.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "polarization/jones.h"
@@ -43,14 +44,12 @@ struct Measures {
 /// Length of the linear part, sqrt(s1^2 + s2^2).
 template <class Real>
 Real linear_part(const Stokes<Real>& s) {
-    using std::hypot;
     return hypot(s.s1, s.s2);
 }
 
 /// Length of the polarized part, sqrt(s1^2 + s2^2 + s3^2).
 template <class Real>
 Real polarized_part(const Stokes<Real>& s) {
-    using std::hypot;
     return hypot(hypot(s.s1, s.s2), s.s3);
 }
 

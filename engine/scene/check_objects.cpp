@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "core/hypot.h"
 #include "core/overloaded.h"
 #include "core/units.h"
 #include "geometry/mesh_check.h"
@@ -120,7 +121,7 @@ void check_sheet(SceneCheck& check, const Sheet& sheet, const Shape& shape, cons
         check.require_axis(axis, name);
         if (check.failed() || !is_flat_sheet(shape)) return;
         const DVec3 direction = unit(axis);
-        check.require(std::hypot(direction.x, direction.y) > 1e-9, name, "is perpendicular to the sheet",
+        check.require(pol::hypot(direction.x, direction.y) > 1e-9, name, "is perpendicular to the sheet",
                       "the sheet lies in the xy plane of the object; take an axis in it, such as [1, 0, 0]");
     };
     std::visit(Overloaded{

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "core/complex.h"
+#include "core/hypot.h"
+#include "core/quad.h"
 #include "core/random.h"
 
 namespace pol {
@@ -38,6 +41,45 @@ TEST(Complex, DivisionOfHugeNumbersDoesNotOverflow) {
     EXPECT_NEAR(quotient.im, -0.4, eps);
     const C small = C(1e-300, 0.0) / C(0.0, 1e-300);
     EXPECT_EQ(small, C(0.0, -1.0));
+}
+
+// Legs of a triangle of every size and shape, also beyond the normal numbers.
+double leg(std::uint32_t number, std::uint32_t which) {
+    const RandomKey key{0, number, which, 0};
+    const auto exponent = static_cast<int>(random_bits({0, number, 0, 0}, 0) % 2040U) - 1050;
+    const auto shorter = static_cast<int>(random_bits(key, 1) % 30U);
+    return std::ldexp(random_unit(key, 2), exponent - shorter);
+}
+
+TEST(Hypot, IsTheHypotenuseToOneUnitInTheLastPlace) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < 100000; ++i) {
+        const double a = leg(i, 1);
+        const double b = leg(i, 2);
+        const double found = hypot(a, b);
+        const Quad off = abs(hypot(Quad(a), Quad(b)) - Quad(found));
+        ASSERT_FALSE(off > Quad(std::nextafter(found, infinity) - found)) << a << " " << b;
+        ASSERT_EQ(found, hypot(-b, a));
+    }
+}
+
+TEST(Hypot, IsExactWhereItIsANumber) {
+    for (const double size : {1e-300, 0x1p-1070, 1.0, 0x1p1020}) EXPECT_EQ(hypot(3.0 * size, -4.0 * size), 5.0 * size);
+    EXPECT_EQ(hypot(0.0, -0.0), 0.0);
+    EXPECT_EQ(hypot(-2.0, 0.0), 2.0);
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(hypot(nan, -infinity), infinity);
+    EXPECT_EQ(hypot(std::numeric_limits<double>::max(), std::numeric_limits<double>::max()), infinity);
+    EXPECT_TRUE(std::isnan(hypot(nan, 0.0)));
+}
+
+// Pictures are compared between machines; these are the bits of glibc 2.36 on x86-64.
+TEST(Hypot, HasTheSameBitsOnEveryMachine) {
+    std::uint64_t all = 0;
+    for (std::uint32_t i = 0; i < 100000; ++i)
+        all = mix_bits(all ^ std::bit_cast<std::uint64_t>(hypot(leg(i, 1), leg(i, 2))));
+    EXPECT_EQ(all, 1294914109864342507ULL);
 }
 
 TEST(Random, DependsOnEveryPartOfItsKeyAndOnNothingElse) {

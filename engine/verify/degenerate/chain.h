@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/hypot.h"
+
 namespace pol::verify {
 
 /// A double and the length of the longest chain of rounded operations that led to it. Inputs and constants have length
@@ -57,7 +59,7 @@ inline Chain cos(const Chain& a) {
     return Chain::link(std::cos(a.value), a, a);
 }
 inline Chain hypot(const Chain& a, const Chain& b) {
-    return Chain::link(std::hypot(a.value, b.value), a, b);
+    return Chain::link(pol::hypot(a.value, b.value), a, b);
 }
 inline Chain atan2(const Chain& a, const Chain& b) {
     return Chain::link(std::atan2(a.value, b.value), a, b);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/hypot.h"
 #include "core/units.h"
 #include "optics/uniaxial_modes.h"
 #include "verify/degenerate/case_lists.h"
@@ -105,7 +106,7 @@ const std::vector<Knob>& knobs() {
         {"axis-along-normal", "angle between axis and normal [rad]", from_normal | upright, 0,
          [](Knobs& b, double x) { b.axis = beside(face_normal, x); }},
         {"axis-in-face", "angle between axis and face [rad]", from_normal, 0,
-         [](Knobs& b, double x) { b.axis = unit(DVec3(b.axis.x, b.axis.y, x * std::hypot(b.axis.x, b.axis.y))); }},
+         [](Knobs& b, double x) { b.axis = unit(DVec3(b.axis.x, b.axis.y, x * pol::hypot(b.axis.x, b.axis.y))); }},
         {"normal-incidence", "angle of incidence [rad]", incidence, 0,
          [](Knobs& b, double x) { b.wave = polar_direction(x); }},
         // Exactly above the face: nothing of the small angle is lost in a direction.
@@ -120,9 +121,9 @@ const std::vector<Knob>& knobs() {
         {"wave-along-axis", "angle between wave and axis [rad]", from_normal | upright | axis_first, o_needed,
          [](Knobs& b, double x) { b.axis = beside(ordinary_wave_normal(b), x); }},
         {"axis-in-plane", "angle between axis and plane of incidence [rad]", from_plane, 0,
-         [](Knobs& b, double x) { b.axis = unit(DVec3(b.axis.x, x * std::hypot(b.axis.x, b.axis.z), b.axis.z)); }},
+         [](Knobs& b, double x) { b.axis = unit(DVec3(b.axis.x, x * pol::hypot(b.axis.x, b.axis.z), b.axis.z)); }},
         {"axis-along-s", "angle between axis and s [rad]", from_plane | upright, 0,
-         [](Knobs& b, double x) { b.axis = unit(DVec3(x * b.axis.x, std::hypot(b.axis.x, b.axis.z), x * b.axis.z)); }},
+         [](Knobs& b, double x) { b.axis = unit(DVec3(x * b.axis.x, pol::hypot(b.axis.x, b.axis.z), x * b.axis.z)); }},
         {"below-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,
          [](Knobs& b, double x) { b.wave = polar_direction(e_critical(b) - x); }},
         {"beyond-e-critical", "distance to the critical angle of e [rad]", incidence | other_index | axis_first, 0,

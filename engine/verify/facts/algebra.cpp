@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/hypot.h"
 #include "core/units.h"
 #include "verify/facts/chapters.h"
 #include "verify/facts/closed_forms.h"
@@ -88,7 +89,7 @@ double polarized_length(const Stokes<double>& s) {
     return std::hypot(s.s1, s.s2, s.s3);
 }
 double expected_ellipticity(const Stokes<double>& s) {
-    return std::abs(s.s3) / (polarized_length(s) + std::hypot(s.s1, s.s2));
+    return std::abs(s.s3) / (polarized_length(s) + pol::hypot(s.s1, s.s2));
 }
 
 const Tolerance one_surface = rounding(64.0, "one surface and a frame");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/hypot.h"
 #include "core/units.h"
 #include "verify/facts/chapters.h"
 #include "verify/facts/closed_forms.h"
@@ -55,10 +56,10 @@ double y_of(const DVec3& p) {
     return p.y;
 }
 double off_axis(const DVec3& p) {
-    return std::hypot(p.x, p.y);
+    return pol::hypot(p.x, p.y);
 }
 double angle_off_axis(const DVec3& p) {
-    return degrees(std::atan(std::hypot(p.x, p.y)));
+    return degrees(std::atan(pol::hypot(p.x, p.y)));
 }
 
 Fact cut_across_the_axis() {

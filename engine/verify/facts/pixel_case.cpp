@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/hypot.h"
 #include "plan/compile.h"
 
 namespace pol {
@@ -21,7 +22,7 @@ Result<PixelCaseVerdict> check(const PixelCase& c) {
     verdict.difference = off(verdict.computed.xx, c.expected.xx);
     for (const double d :
          {off(verdict.computed.yy, c.expected.yy),
-          std::hypot(verdict.computed.xy.re - c.expected.xy.re, verdict.computed.xy.im - c.expected.xy.im)})
+          pol::hypot(verdict.computed.xy.re - c.expected.xy.re, verdict.computed.xy.im - c.expected.xy.im)})
         if (!(d <= verdict.difference)) verdict.difference = d;
     const double allowed = c.tolerance * trace(c.expected);
     verdict.holds = verdict.computed == c.expected || verdict.difference <= allowed;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/hypot.h"
 #include "core/units.h"
 #include "verify/facts/chapters.h"
 #include "verify/facts/closed_forms.h"
@@ -163,7 +164,7 @@ Fact metal_reflection() {
                                             mirror_scene(medium, radians(45.0), polarized(diagonal)));
         expect(fact, linear, "S3", turned.s3, one_surface, of_pixel(s3));
         expect(fact, linear, "ellipticity",
-               std::abs(turned.s3) / (std::hypot(turned.s1, turned.s2, turned.s3) + std::hypot(turned.s1, turned.s2)),
+               std::abs(turned.s3) / (std::hypot(turned.s1, turned.s2, turned.s3) + pol::hypot(turned.s1, turned.s2)),
                one_surface, of_pixel(ellipticity));
         const std::size_t principal = add_view(fact, name + ", principal angle",
                                                mirror_scene(medium, principal_angle(index), polarized(diagonal)));

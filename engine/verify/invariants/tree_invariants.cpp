@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/hypot.h"
 #include "polarization/measures.h"
 #include "tracer/explain.h"
 #include "verify/invariants/invariants.h"
@@ -115,7 +116,7 @@ InvariantResult has_physical_coherence_everywhere(const SceneUnderTest& test) {
             const double trace = j.xx + j.yy;
             if (trace == 0.0 && norm2(j.xy) == 0.0) continue;
             // Minus the smaller eigenvalue, without cancelling squares.
-            const double negative = std::hypot(0.5 * (j.xx - j.yy), abs(j.xy)) - 0.5 * trace;
+            const double negative = pol::hypot(0.5 * (j.xx - j.yy), abs(j.xy)) - 0.5 * trace;
             tally.add(std::max(negative, 0.0) / (tolerance * trace), at);
         }
     });
