@@ -31,23 +31,20 @@ FacetHit nearest_lane(Vector distance, Vector facet) {
     return t < no_hit ? FacetHit{t, static_cast<int>(lowest)} : FacetHit{t, -1};
 }
 
-struct Ray {
-    const DVec3& o;
-    const DVec3& d;
-    Vector along, ahead;  // normal.d and offset - normal.o of the planes last asked for
+// normal.v of the planes in these lanes. (No struct holds a Vector: arm64's scalable ones are not allowed there.)
+HWY_INLINE Vector along(const PlaneBlock& block, std::size_t lane, const DVec3& v) {
+    const Lanes lanes;
+    const Vector x = hn::Load(lanes, block.normal_x + lane);
+    const Vector y = hn::Load(lanes, block.normal_y + lane);
+    const Vector z = hn::Load(lanes, block.normal_z + lane);
+    return hn::Add(hn::Add(hn::Mul(x, hn::Set(lanes, v.x)), hn::Mul(y, hn::Set(lanes, v.y))),
+                   hn::Mul(z, hn::Set(lanes, v.z)));
+}
 
-    HWY_INLINE void meet(const PlaneBlock& block, std::size_t lane) {
-        const Lanes lanes;
-        const Vector x = hn::Load(lanes, block.normal_x + lane);
-        const Vector y = hn::Load(lanes, block.normal_y + lane);
-        const Vector z = hn::Load(lanes, block.normal_z + lane);
-        const Vector offset = hn::Load(lanes, block.offset + lane);
-        along = hn::Add(hn::Add(hn::Mul(x, hn::Set(lanes, d.x)), hn::Mul(y, hn::Set(lanes, d.y))),
-                        hn::Mul(z, hn::Set(lanes, d.z)));
-        ahead = hn::Sub(offset, hn::Add(hn::Add(hn::Mul(x, hn::Set(lanes, o.x)), hn::Mul(y, hn::Set(lanes, o.y))),
-                                        hn::Mul(z, hn::Set(lanes, o.z))));
-    }
-};
+// offset - normal.o: what is between o and the planes.
+HWY_INLINE Vector ahead(const PlaneBlock& block, std::size_t lane, const DVec3& o) {
+    return hn::Sub(hn::Load(Lanes(), block.offset + lane), along(block, lane, o));
+}
 
 FacetHit exit_kernel(const PlaneBlock* blocks, std::size_t count, const DVec3& o, const DVec3& d, int skip) {
     const Lanes lanes;
@@ -57,12 +54,12 @@ FacetHit exit_kernel(const PlaneBlock* blocks, std::size_t count, const DVec3& o
     Vector index = hn::Iota(lanes, 0.0);
     Vector best = hn::Set(lanes, no_hit);
     Vector facet = hn::Set(lanes, -1.0);
-    Ray ray{o, d, zero, zero};
     for (std::size_t b = 0; b < count; ++b) {
         for (std::size_t lane = 0; lane < 8; lane += hn::Lanes(lanes)) {
-            ray.meet(blocks[b], lane);
-            const Vector t = hn::Div(ray.ahead, ray.along);
-            const auto leaves = hn::And(hn::Gt(ray.along, zero), hn::Ne(index, skipped));
+            const Vector approach = along(blocks[b], lane, d);
+            const Vector gap = ahead(blocks[b], lane, o);
+            const Vector t = hn::Div(gap, approach);
+            const auto leaves = hn::And(hn::Gt(approach, zero), hn::Ne(index, skipped));
             const auto nearer = hn::And(leaves, hn::Lt(t, best));
             best = hn::IfThenElse(nearer, t, best);
             facet = hn::IfThenElse(nearer, index, facet);
@@ -80,17 +77,17 @@ FacetHit enter_kernel(const PlaneBlock* blocks, std::size_t count, const DVec3& 
     Vector far = hn::Set(lanes, no_hit);
     Vector minus_near = hn::Set(lanes, no_hit);  // negated, so that nearest_lane finds the farthest entry
     Vector facet = hn::Set(lanes, -1.0);
-    Ray ray{o, d, zero, zero};
     for (std::size_t b = 0; b < count; ++b) {
         for (std::size_t lane = 0; lane < 8; lane += hn::Lanes(lanes)) {
-            ray.meet(blocks[b], lane);
-            const Vector t = hn::Div(ray.ahead, ray.along);
-            const auto later = hn::And(hn::Lt(ray.along, zero), hn::Lt(hn::Neg(t), minus_near));
+            const Vector approach = along(blocks[b], lane, d);
+            const Vector gap = ahead(blocks[b], lane, o);
+            const Vector t = hn::Div(gap, approach);
+            const auto later = hn::And(hn::Lt(approach, zero), hn::Lt(hn::Neg(t), minus_near));
             minus_near = hn::IfThenElse(later, hn::Neg(t), minus_near);
             facet = hn::IfThenElse(later, index, facet);
-            const auto sooner = hn::And(hn::Gt(ray.along, zero), hn::Lt(t, far));
+            const auto sooner = hn::And(hn::Gt(approach, zero), hn::Lt(t, far));
             far = hn::IfThenElse(sooner, t, far);
-            const auto beside = hn::And(hn::Eq(ray.along, zero), hn::Lt(ray.ahead, zero));
+            const auto beside = hn::And(hn::Eq(approach, zero), hn::Lt(gap, zero));
             far = hn::IfThenElse(beside, hn::Neg(hn::Set(lanes, no_hit)), far);
             index = hn::Add(index, step);
         }
