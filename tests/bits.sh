@@ -11,6 +11,7 @@ Usage: tests/bits.sh FOLDER [PROGRAM]
 
 Renders every shipped scene, small, and a torus that only Embree can intersect, in glass and in calcite, into FOLDER: EXR, every
 map, the explanation of a pixel, the plan, the facts and the stiff cases. PROGRAM: polariscope, by default build/release's.
+SIZE=N renders N x N pixels instead of 96 x 96.
 
 Two Debians:   KEEP=12 tests/distro.sh bookworm './run.sh --render && tests/bits.sh out'
                KEEP=13 tests/distro.sh trixie './run.sh --render && tests/bits.sh out'
@@ -21,6 +22,7 @@ case ${1-} in
 -h | --help) usage && exit 0 ;;
 -* | "") usage >&2 && exit 2 ;;
 esac
+size=${SIZE:-96}
 folder=$(realpath -m -- "$1")
 program=$(realpath -- "${2-${BUILD:-$root/build}/release/polariscope}")
 mkdir -p "$folder"
@@ -56,9 +58,9 @@ done
 
 for scene in "$root"/assets/scenes/*.yaml "$root"/assets/scenes/bench/*.yaml torus-*.yaml; do
     name=$(basename "$scene" .yaml)
-    "$program" render "$scene" -o "$name.exr" --size 96x96 --node-budget 200 --quiet
+    "$program" render "$scene" -o "$name.exr" --size "${size}x$size" --node-budget 200 --quiet
     "$program" maps "$name.exr" --map all -o "$name-maps" >/dev/null
-    "$program" explain "$scene" --size 96x96 --pixel 48,48 --node-budget 300 >"$name-pixel.txt"
+    "$program" explain "$scene" --size "${size}x$size" --pixel "$((size / 2)),$((size / 2))" --node-budget 300 >"$name-pixel.txt"
     "$program" plan "$scene" >"$name-plan.txt"
 done
 "$program" check facts --json >facts.json
