@@ -115,7 +115,9 @@ Result<Chapter> check_scenes(const AllRequest& request) {
     for (const verify::Invariant& invariant : verify::invariants())
         chapter.body += fmt::format("<th title=\"{}\">{}</th>", xml_text(invariant.sentence), xml_text(invariant.name));
     chapter.body += "</tr>\n";
-    for (const fs::path& path : shipped_scenes()) {
+    const std::vector<fs::path> scenes = shipped_scenes();
+    if (scenes.empty()) return missing_assets();
+    for (const fs::path& path : scenes) {
         const auto scene = load_scene(path);
         if (!scene) return scene.error();
         const auto test = verify::under_test(verify::small(scene.value(), request.size));
@@ -222,6 +224,7 @@ void add_check_all_command(CLI::App& check, int& exit_code) {
     auto request = std::make_shared<AllRequest>();
     CLI::App* command = check.add_subcommand("all", "All checks on all shipped scenes, as one page");
     command->add_option("-o,--output", request->folder, "Folder for report.html and the runs behind its curves")
+        ->type_name("FOLDER")
         ->required();
     command->add_option("--size", request->size, "Pixels along the sides of the scenes' pictures")
         ->capture_default_str();

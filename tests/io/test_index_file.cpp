@@ -434,7 +434,7 @@ TEST(IndexFile, SurvivesRandomDamage) {
     EXPECT_GT(refused, 80);
 }
 
-TEST(Assets, AreFoundThroughTheEnvironmentElseBesideTheProgramOrInTheSources) {
+TEST(Assets, AreFoundThroughTheEnvironmentElseBesideTheProgram) {
     ASSERT_EQ(setenv("POLARISCOPE_ASSETS", "somewhere", 1), 0);
     EXPECT_EQ(assets_dir(), fs::path("somewhere"));
     ASSERT_EQ(unsetenv("POLARISCOPE_ASSETS"), 0);

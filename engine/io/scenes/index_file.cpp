@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/nearest_word.h"
+#include "io/files/assets.h"
 #include "io/files/input_file.h"
 #include "io/files/yaml_value.h"
 
@@ -272,6 +273,7 @@ Error input_error(std::string what, std::string hint) {
 Error unknown_record(const std::string& name, const fs::path& folder, const std::string& suffix) {
     std::vector<std::string> names;
     std::error_code failed;
+    if (!fs::is_directory(folder, failed)) return missing_assets();
     for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
         const std::string stem = it->path().stem().string();
         if (it->path().extension() == ".yml" && stem.ends_with(suffix))
