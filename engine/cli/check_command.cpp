@@ -209,8 +209,10 @@ void add_check_command(CLI::App& app, int& exit_code) {
     auto request = std::make_shared<FileRequest>();
     CLI::App* command = app.add_subcommand("check", "Prove the physics of this program, of a scene, or of a picture");
     command->require_subcommand(0, 1);
-    command->add_option("FILE", request->file,
-                        "Scene: invariants that hold whatever is in it. Stokes picture (.exr): whether it is light");
+    command
+        ->add_option("FILE", request->file,
+                     "Scene: invariants that hold whatever is in it. Stokes picture (.exr): whether it is light")
+        ->type_name("NAME.yaml|NAME.exr");
     command->add_option("--size", request->size, "Scene: pixels along the sides of the picture")->capture_default_str();
     command->add_flag("--json", request->json, "Print JSON");
     command->footer(

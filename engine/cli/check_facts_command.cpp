@@ -183,10 +183,11 @@ void add_check_facts_command(CLI::App& check, int& exit_code) {
     auto request = std::make_shared<FactsRequest>();
     CLI::App* command =
         check.add_subcommand("facts", "Hold the tracer to facts of polarization optics that have a closed form");
-    command->add_option("ID", request->ids, "Which facts: T1, T2, ... (default: all)");
+    command->add_option("ID", request->ids, "Which facts: T1, T2, ... (default: all)")->type_name("FACT");
     command->add_flag("--json", request->json, "Print JSON with every reading at full precision and its tolerance");
-    command->add_option("--scenes", request->scenes,
-                        "Write the facts' scenes into this folder instead, to look at them");
+    command
+        ->add_option("--scenes", request->scenes, "Write the facts' scenes into this folder instead, to look at them")
+        ->type_name("FOLDER");
     command->footer(
         "Every fact is a small scene, a pixel, a closed form from the literature and a tolerance that is derived. The\n"
         "scene goes through the loader, compiler and kernel of any picture.\n"

@@ -190,10 +190,13 @@ void add_converge_command(CLI::App& app, int& exit_code) {
     command
         ->add_option("-o,--output", request->folder,
                      "Folder for report.html, its plots as SVG, runs.csv and reference.exr")
+        ->type_name("FOLDER")
         ->required();
-    command->add_option("--reference", request->reference,
-                        "Stokes picture to measure against instead of our own; it is held "
-                        "against our deepest picture first");
+    command
+        ->add_option("--reference", request->reference,
+                     "Stokes picture to measure against instead of our own; it is held "
+                     "against our deepest picture first")
+        ->type_name("NAME.exr");
     command->add_option("--seeds", request->seeds, "Runs of each setting, with different random numbers")
         ->capture_default_str();
     command->add_option("--threads", request->threads, "Worker threads (default: all cores)");

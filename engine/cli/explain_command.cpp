@@ -163,8 +163,9 @@ void add_explain_command(CLI::App& app, int& exit_code) {
     command->add_option("--least", request->least_share, "Leave out branches of less than this weight (text only)")
         ->capture_default_str();
     command->add_flag("--json", request->json, "Print JSON with every branch at full precision");
-    command->add_option("--csv", request->csv, "Also write a table of ray states, one line per segment (*.csv)");
-    command->add_option("--obj", request->obj, "Also write the paths as lines in space (*.obj)");
+    command->add_option("--csv", request->csv, "Also write a table of ray states, one line per segment (*.csv)")
+        ->type_name("NAME.csv");
+    command->add_option("--obj", request->obj, "Also write the paths as lines in space (*.obj)")->type_name("NAME.obj");
     command->add_flag(
         "--case", request->is_case,
         "SCENE is a pixel case (see assets/cases/README.md): check its matrix again; exit code 5 if it differs");

@@ -286,8 +286,8 @@ constexpr const char* footer =
 void add_interface_command(CLI::App& app, int& exit_code) {
     const auto request = std::make_shared<Request>();
     CLI::App* command = app.add_subcommand("interface", "What one interface does to light");
-    command->add_option("--from", request->from, "medium that the light comes from");
-    command->add_option("--to", request->to, "medium behind the interface");
+    command->add_option("--from", request->from, "medium that the light comes from")->type_name("MEDIUM");
+    command->add_option("--to", request->to, "medium behind the interface")->type_name("MEDIUM");
     command->add_option("--from-axis", request->from_axis, "X,Y,Z: optic axis of the first medium")
         ->delimiter(',')
         ->expected(1, 3);
@@ -296,7 +296,8 @@ void add_interface_command(CLI::App& app, int& exit_code) {
         ->expected(1, 3);
     command->add_option("--angle", request->angle_deg, "degrees between wave normal and normal")->capture_default_str();
     command->add_option("--wavelength", request->wavelength_nm, "nm, for index records")->capture_default_str();
-    command->add_option("--cases", request->cases, "JSON lines, one interface each; - is standard input");
+    command->add_option("--cases", request->cases, "JSON lines, one interface each; - is standard input")
+        ->type_name("FILE");
     command->footer(footer);
     command->callback([request, &exit_code] {
         const Result<Done> done = request->cases.empty() ? run_table(*request) : run_cases(request->cases);

@@ -181,11 +181,17 @@ std::string footer() {
 void add_maps_command(CLI::App& app, int& exit_code) {
     const auto request = std::make_shared<Request>();
     CLI::App* command = app.add_subcommand("maps", "Draw a map of a Stokes picture (EXR) as PNG");
-    command->add_option("IN", request->input, "Stokes picture, EXR in the spectral layout")->required();
-    command->add_option("--map", request->map, "what to draw, see below")->required();
-    command->add_option("-o,--output", request->output, "PNG file; a folder for --map all")->required();
+    command->add_option("IN", request->input, "Stokes picture, EXR in the spectral layout")
+        ->type_name("NAME.exr")
+        ->required();
+    command->add_option("--map", request->map, "what to draw, see below")->type_name("MAP")->required();
+    command->add_option("-o,--output", request->output, "PNG file; a folder for --map all")
+        ->type_name("NAME.png|FOLDER")
+        ->required();
     command->add_option("--wavelength", request->wavelength_nm, "wavelength in nm (default: the one nearest to 580)");
-    command->add_option("--style", request->style, "scientific, paper or wilkie")->capture_default_str();
+    command->add_option("--style", request->style, "how it looks, see below")
+        ->type_name("scientific|paper|wilkie")
+        ->capture_default_str();
     command->add_option("--exposure", request->exposure, "stops, for color and intensity")->capture_default_str();
     command->add_option("--range", request->range, "LO,HI: values at the ends of the color bar")
         ->delimiter(',')

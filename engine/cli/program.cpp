@@ -19,6 +19,7 @@
 #include "cli/converge_command.h"
 #include "cli/explain_command.h"
 #include "cli/interface_command.h"
+#include "cli/manual_command.h"
 #include "cli/maps_command.h"
 #include "cli/messages.h"
 #include "cli/plan_command.h"
@@ -81,6 +82,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     add_check_command(app, exit_code);
     add_converge_command(app, exit_code);
     for (const AddCommand add : more) add(app, exit_code);
+    add_manual_command(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& request_for_help) {

@@ -185,7 +185,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
     CLI::App* command =
         app.add_subcommand("render", "Trace a scene and write the Stokes vectors of every pixel to an OpenEXR file");
     add_scene_options(*command, request->scene);
-    command->add_option("-o,--output", request->output, "OpenEXR file to write, NAME.exr")->required();
+    command->add_option("-o,--output", request->output, "OpenEXR file to write")->type_name("NAME.exr")->required();
     command->add_option("--threads", request->threads,
                         "Worker threads; the picture does not depend on it (default: all cores)");
     command->add_option("--time", request->seconds,
@@ -193,7 +193,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
                         "add samples until then");
     command->add_option("--error", request->error,
                         "Stop when the estimated error is below this share of the picture, for example 0.01");
-    command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file");
+    command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file")
+        ->type_name("FILE");
     command->add_flag("--quiet", request->quiet, "Print errors and doubts only");
     command->footer(
         "Ctrl-C stops, writes what is there and exits with 130 (SIGTERM: 143). Ctrl-Z pauses, fg goes on; a pause "

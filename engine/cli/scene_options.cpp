@@ -29,11 +29,15 @@ std::string seed_problem(const std::string& text) {
 }  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
-    command.add_option("SCENE", options.scene, "Scene file (YAML, see assets/scenes/README.md)")->required();
-    command.add_option("--size", options.size, "Picture size in pixels, for example 800x600");
+    command.add_option("SCENE", options.scene, "Scene file (YAML, see assets/scenes/README.md)")
+        ->type_name("NAME.yaml")
+        ->required();
+    command.add_option("--size", options.size, "Picture size in pixels, for example 800x600")->type_name("WxH");
     command.add_option("--spp", options.samples, "Samples per pixel");
-    command.add_option("--mode", options.mode,
-                       "point: one ray through the pixel centre; area: quasi-random over the pixel");
+    command
+        .add_option("--mode", options.mode,
+                    "point: one ray through the pixel centre; area: quasi-random over the pixel")
+        ->type_name("point|area");
     command.add_option("--residual", options.residual,
                        "Largest share of a pixel that may stay untraced, for example 1e-3");
     command.add_option("--depth", options.depth,

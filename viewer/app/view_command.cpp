@@ -67,13 +67,14 @@ std::string keys_text() {
 void add_view_command(CLI::App& app, int& exit_code) {
     auto request = std::make_shared<ViewRequest>();
     CLI::App* command = app.add_subcommand("view", "Open scenes and EXR pictures in a window");
-    command->add_option("files", request->files, "Scenes (*.yaml) and Stokes pictures (*.exr)")->type_name("FILE");
+    command->add_option("files", request->files, "Scenes (*.yaml) and Stokes pictures (*.exr)")
+        ->type_name("NAME.yaml|NAME.exr");
     command->add_option("--size", request->size, "Size of the window in points")
         ->type_name("WxH")
         ->check(CLI::Validator(check_size, {}))
         ->capture_default_str();
-    command->add_option("--theme", request->options.theme, "dark or light")
-        ->type_name("NAME")
+    command->add_option("--theme", request->options.theme, "Colors of the window")
+        ->type_name("dark|light")
         ->transform(
             CLI::CheckedTransformer(std::map<std::string, Theme>{{"dark", Theme::dark}, {"light", Theme::light}})
                 .description({}));
