@@ -125,6 +125,12 @@ Result<std::unique_ptr<AppWindow>> AppWindow::open(Session& session, const AppOp
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    // By which the desktop finds name and icon of the window: the desktop entry is called so.
+    constexpr const char* desktop_entry = "io.github.polariscope.Polariscope";
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, desktop_entry);
+#ifdef GLFW_WAYLAND_APP_ID
+    glfwWindowHintString(GLFW_WAYLAND_APP_ID, desktop_entry);
+#endif
     GLFWwindow* window =
         glfwCreateWindow(options.width, options.height, window_title(session).c_str(), nullptr, nullptr);
     if (window == nullptr)
