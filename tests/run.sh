@@ -10,6 +10,7 @@ Usage: tests/run.sh [STEP...]
 
 Steps, all by default, in this order:
   release   build with warnings as errors; all tests: unit, physics, include rules, formatting
+  deb       the Debian packages installed, used and removed (tests/packages.sh); needs the release build, skipped without root
   tidy      clang-tidy 14 (.clang-tidy) over engine/ and viewer/; needs the release build
   asan      AddressSanitizer and UndefinedBehaviorSanitizer over every test but those labelled slow (whole renders
             that take minutes there; they run in release)
@@ -22,10 +23,10 @@ END
 }
 
 steps=("$@")
-[ $# -gt 0 ] || steps=(release tidy asan tsan fuzz)
+[ $# -gt 0 ] || steps=(release deb tidy asan tsan fuzz)
 for step in "${steps[@]}"; do
     case $step in
-    release | tidy | asan | tsan | fuzz) ;;
+    release | deb | tidy | asan | tsan | fuzz) ;;
     -h | --help) usage && exit 0 ;;
     *) usage >&2 && exit 2 ;;
     esac
@@ -50,6 +51,7 @@ step() {
 
 build() {
     local options=(-DPOL_TESTS=ON)
+    [ "$1" != release ] || options+=(-DCMAKE_INSTALL_PREFIX=/usr) # where the packages of this build go
     [ "$1" != fuzz ] || options=()
     if configure "$1" "${options[@]}"; then
         cmake --build "$build/$1" -j "$jobs" --target "${@:2}" -- --quiet && return 0
@@ -97,6 +99,16 @@ tidy() {
     passed=$((passed + 1))
 }
 
+# The packages are one test.
+deb() {
+    local bad=0
+    "$root/tests/packages.sh" || bad=$?
+    [ $bad -ne 77 ] || return 0
+    passed=$((passed + (bad == 0)))
+    failed=$((failed + (bad != 0)))
+    return $bad
+}
+
 # Every target is one test.
 fuzz() {
     local bad=0
@@ -125,6 +137,9 @@ for name in "${steps[@]}"; do
     case $name in
     release)
         step "build release" build release all && step "test release" run_tests release 1200
+        ;;
+    deb)
+        step "deb" deb
         ;;
     tidy)
         step "clang-tidy" tidy
