@@ -43,7 +43,7 @@ std::vector<std::string> known_names(std::string_view type) {
         names = media();
     } else if (type == "FACT") {
         for (const verify::Fact& fact : verify::facts()) names.push_back(fact.id);
-    } else if (type == "CASE") {
+    } else if (type == "SWEEP") {
         for (const verify::DegenerateCase& one : verify::degenerate_cases()) names.push_back(one.name);
     }
     return names;

@@ -69,7 +69,7 @@ void add_outgoing(BoundaryResponse<Real>& response, const OutgoingWave<Real>& wa
 template <class Real>
 bool carries_nothing(const OutgoingWave<Real>& wave) {
     const Complex<Real> nothing;
-    for (const auto& row : wave.amplitude.m) {
+    for (const auto& row : wave.amplitude) {
         if (!(row[0] == nothing) || !(row[1] == nothing)) return false;
     }
     return true;

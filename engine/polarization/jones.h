@@ -25,6 +25,10 @@ struct JonesMatrix {
 
     constexpr auto& operator[](std::size_t row) { return m[row]; }
     constexpr const auto& operator[](std::size_t row) const { return m[row]; }
+    constexpr auto* begin() { return m; }
+    constexpr auto* end() { return m + 2; }
+    constexpr const auto* begin() const { return m; }
+    constexpr const auto* end() const { return m + 2; }
 
     friend constexpr JonesMatrix operator*(const JonesMatrix& a, const JonesMatrix& b) {
         return {{{a[0][0] * b[0][0] + a[0][1] * b[1][0], a[0][0] * b[0][1] + a[0][1] * b[1][1]},

@@ -32,7 +32,7 @@ struct Throughput {
     }
 
     void scale(const Real& factor) {
-        for (auto& row : m.m)
+        for (auto& row : m)
             for (auto& element : row) element = element * factor;
     }
 

@@ -87,7 +87,7 @@ TEST(Convention, AMuellerMatrixActsOnTheLabelsAsOnTheLight) {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (const Convention& c : all_conventions()) {
         MuellerMatrix<double> m;
-        for (auto& row : m.m.m)
+        for (auto& row : m.m)
             for (double& entry : row) entry = uniform(random);
         const Stokes<double> s{1.0, uniform(random), uniform(random), uniform(random)};
         EXPECT_EQ(c.mueller(m) * c.stokes(s), c.stokes(m * s)) << c.text() << ": only signs change";

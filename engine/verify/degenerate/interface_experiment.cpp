@@ -148,7 +148,7 @@ private:
             for (std::size_t o = 0; o < static_cast<std::size_t>(r.outgoing_count); ++o) {
                 const OutgoingWave<Real>& out = r.outgoing[o];
                 Real& side = out.side == Side::reflected ? reflected : transmitted;
-                for (const auto& row : out.amplitude.m) side += norm2(row[0]) + norm2(row[1]);
+                for (const auto& row : out.amplitude) side += norm2(row[0]) + norm2(row[1]);
             }
             absorbed += r.absorption[0][0].re + r.absorption[1][1].re;
         }
