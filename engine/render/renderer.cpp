@@ -176,7 +176,8 @@ void Renderer::work(const std::stop_token& shutdown) {
 void Renderer::keep_time(const std::stop_token& shutdown) {
     constexpr double look_every_s = 0.1;
     std::unique_lock lock(mutex_);
-    while (clock_.wait(lock, shutdown, [this] { return job_ && !job_->paused() && !job_->finished(); })) {
+    const auto runs = [this] { return job_ && !job_->paused() && !job_->finished() && !job_->cancelled; };
+    while (clock_.wait(lock, shutdown, runs)) {
         const std::shared_ptr<RenderJob> job = job_;
         job->look(Clock::now());
         if (job->finished()) {  // time is up, and no worker was at anything that would tell
