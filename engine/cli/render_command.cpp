@@ -2,7 +2,6 @@
 #include "cli/render_command.h"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -23,6 +22,7 @@
 #include "io/pictures/exr_file.h"
 #include "io/scenes/picture_attributes.h"
 #include "plan/compile.h"
+#include "render/memory.h"
 #include "render/renderer.h"
 
 namespace pol {
@@ -107,16 +107,6 @@ std::optional<Error> unusable_output(const RenderRequest& request) {
     for (const std::string& path : {request.output, request.statistics})
         if (auto probe = OutputFile::create(path); !probe) return probe.error();
     return std::nullopt;
-}
-
-/// The sums and the picture made of them stand in memory side by side at the end. Whether the machine would give that
-/// much is asked at the beginning; nothing is touched.
-bool fits_memory(const Plan& plan) {
-    const std::size_t values = std::size_t{2} * static_cast<std::size_t>(plan.settings.width) *
-                               static_cast<std::size_t>(plan.settings.height) * plan.wavelengths_nm.size();
-    const std::size_t bytes = values * sizeof(Stokes<double>);
-    void* probe = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    return probe != MAP_FAILED && munmap(probe, bytes) == 0;
 }
 
 int run(const RenderRequest& request) {
