@@ -42,6 +42,9 @@ LIBRARIES = {
     "sys/": "posix",
 }
 THREADS = {"thread", "shared_mutex", "atomic", "condition_variable", "future", "semaphore", "latch", "barrier", "stop_token"}
+# The room whose headers are installed. They stand by themselves: the standard library and each other.
+FRONT_DOOR = "engine/polariscope"
+NOT_INSTALLED = {"engine/polariscope/inside.h"}
 # A library that one file of its room hides from all others.
 ONLY_IN = {"embree": "engine/geometry/ray_caster.cpp"}
 # A single header that some rooms may not include although the table opens its room to them.
@@ -89,6 +92,10 @@ def without_comments(text):
     return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
 
 
+def is_installed(path):
+    return str(Path(path).parent) == FRONT_DOOR and path.endswith(".h") and path not in NOT_INSTALLED
+
+
 def library_rule(rooms, path, header):
     """Why the file `path` may not include the library header, or None."""
     name = str(Path(path).parent)
@@ -96,9 +103,11 @@ def library_rule(rooms, path, header):
         library = "mutex" if header == "mutex" else "threads" if header in THREADS else None
         if library and library not in rooms[name].libraries:
             return f"<{header}>: {name} has no {library}"
-        if header == "complex" and path.startswith("engine/"):
+        if header == "complex" and path.startswith("engine/") and name != FRONT_DOOR:
             return "<complex>: the engine has its own, core/complex.h"
         return None
+    if is_installed(path):
+        return f"<{header}>: an installed header needs nothing but the standard library"
     for beginning, library in LIBRARIES.items():
         if header.startswith(beginning):
             if library is None or (library in rooms[name].libraries and ONLY_IN.get(library, path) == path):
@@ -117,6 +126,8 @@ def room_rule(rooms, path, header):
         return f'"{header}": name the folder, as in "{name.removeprefix("engine/")}/{header}"'
     if name in NOT_FOR.get(full, []):
         return f'{name} may not include "{header}"'
+    if is_installed(path) and not is_installed(full):
+        return f'an installed header may not include "{header}"'
     if target in rooms[name].rooms:
         return None
     allowed = ", ".join(sorted(rooms[name].rooms - {name})) or "the standard library and glm"
@@ -152,7 +163,7 @@ def check_file(root, rooms, file):
         yield 1, "a header needs #pragma once"
     if top in ("engine", "viewer"):
         yield from check_includes(rooms, path, lines)
-    if top == "engine":
+    if top == "engine" and not is_installed(path):
         for number, line in enumerate(without_comments("\n".join(lines)).split("\n"), 1):
             if re.search(r"\bstd::complex\b", line):
                 yield number, "std::complex: the engine has its own, core/complex.h"

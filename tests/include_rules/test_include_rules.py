@@ -74,6 +74,12 @@ class IncludeRules(unittest.TestCase):
             with self.assertRaisesRegex(SystemExit, "rooms.txt:1: 'b' is no room that stands above engine/a"):
                 include_rules.read_rooms(table)
 
+    def test_an_installed_header_stands_by_itself(self):
+        self.expect_clean("engine/polariscope/a.h", '#pragma once\n#include <complex>\n#include "polariscope/result.h"\n')
+        self.expect_clean("engine/polariscope/a.cpp", '#include <glm/vec3.hpp>\n#include "plan/plan.h"\n')
+        for include in ("<glm/vec3.hpp>", '"plan/plan.h"', '"polariscope/inside.h"'):
+            self.expect_violation("engine/polariscope/a.h", f"#pragma once\n#include {include}\n", 3, "installed header")
+
     def test_film_does_not_see_the_scene(self):
         self.expect_violation("engine/film/a.cpp", '#include "scene/scene.h"\n', 2, "film may not")
 

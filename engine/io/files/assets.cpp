@@ -2,6 +2,7 @@
 #include "io/files/assets.h"
 
 #include <cstdlib>
+#include <mutex>
 #include <string>
 #include <system_error>
 
@@ -9,7 +10,35 @@ namespace pol {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// What a host of the library has said; the program says nothing.
+struct FoldersOfHost {
+    std::mutex mutex;
+    fs::path chosen;
+    fs::path last_resort;
+};
+
+FoldersOfHost& folders_of_host() {
+    static FoldersOfHost folders;
+    return folders;
+}
+
+}  // namespace
+
+void choose_assets(const fs::path& folder) {
+    const std::scoped_lock lock(folders_of_host().mutex);
+    folders_of_host().chosen = folder;
+}
+
+void fall_back_on_assets(const fs::path& folder) {
+    const std::scoped_lock lock(folders_of_host().mutex);
+    folders_of_host().last_resort = folder;
+}
+
 std::vector<fs::path> asset_folders() {
+    const std::scoped_lock lock(folders_of_host().mutex);
+    if (!folders_of_host().chosen.empty()) return {folders_of_host().chosen};
     if (const char* chosen = std::getenv("POLARISCOPE_ASSETS"); chosen != nullptr && *chosen != '\0') return {chosen};
     std::vector<fs::path> folders;
     std::error_code failed;
@@ -18,6 +47,7 @@ std::vector<fs::path> asset_folders() {
         for (const char* above : {"..", "."})
             folders.push_back((program.parent_path() / above / "share/polariscope").lexically_normal());
     }
+    if (!folders_of_host().last_resort.empty()) folders.push_back(folders_of_host().last_resort);
     folders.emplace_back(POL_INSTALLED_ASSETS);
     return folders;
 }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polariscope/light.h"
+#include "polariscope/result.h"
+
+namespace polariscope {
+
+namespace detail {
+struct PictureData;
+struct Inside;
+}  // namespace detail
+
+/// Stokes vectors of all pixels at all wavelengths, with what is known about their error. Row 0 is the top row; frame
+/// as stated at Stokes. Wavelengths are counted from 0. Immutable; thread-safe.
+class Picture {
+public:
+    Picture(const Picture&) = default;
+    Picture& operator=(const Picture&) = default;
+    ~Picture() = default;
+
+    [[nodiscard]] int width() const;
+    [[nodiscard]] int height() const;
+    [[nodiscard]] const std::vector<double>& wavelengths_nm() const;
+    /// What the file says about itself: scene, scene_hash, frame, settings ...
+    [[nodiscard]] const std::map<std::string, std::string>& attributes() const;
+
+    /// Of one pixel. Error (usage): there is no such pixel or wavelength.
+    [[nodiscard]] Result<Stokes> stokes(int x, int y, int wavelength = 0) const;
+    [[nodiscard]] Result<Coherence> coherence(int x, int y, int wavelength = 0) const;
+    /// Most S0 that may have been left out there, and most that may be there too much, as in RayLight. 0 where the
+    /// picture does not say.
+    [[nodiscard]] Result<double> missing(int x, int y, int wavelength = 0) const;
+    [[nodiscard]] Result<double> surplus(int x, int y, int wavelength = 0) const;
+    /// Standard error (68 %) of each component by the finite number of samples; 0 where there is none.
+    [[nodiscard]] Result<Stokes> sampling_error(int x, int y, int wavelength = 0) const;
+
+    /// All pixels at one wavelength, width x height of them: pixel (x, y) is entry y * width + x.
+    [[nodiscard]] Result<std::vector<Stokes>> plane(int wavelength = 0) const;
+
+private:
+    friend struct detail::Inside;
+    explicit Picture(std::shared_ptr<const detail::PictureData> data) : data_(std::move(data)) {}
+    std::shared_ptr<const detail::PictureData> data_;
+};
+
+/// A picture of any origin. `stokes` has one plane of width x height entries per wavelength, in their order. Error
+/// (usage): the sizes do not fit, wavelengths are not positive and ascending.
+Result<Picture> make_picture(int width, int height, const std::vector<double>& wavelengths_nm,
+                             const std::vector<Stokes>& stokes);
+
+/// OpenEXR in the spectral layout of Fichet, Pacanowski & Wilkie, "An OpenEXR layout for spectral images", JCGT 10(3),
+/// 2021, by any renderer. Error (input): not such a file, truncated, too large.
+Result<Picture> read_exr(const std::filesystem::path& file);
+
+/// The same layout, 32-bit floats; what was there stays until all is written. Error (output): it cannot be written.
+Result<Done> write_exr(const Picture& picture, const std::filesystem::path& file);
+
+}  // namespace polariscope
