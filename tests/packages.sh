@@ -75,6 +75,9 @@ holds "in the bits of the build tree" sh -c '"$1" "${@:3}" "$2/built.exr" && cmp
 holds "a record is found" user polariscope interface --from air --to calcite --axis 0,0,1
 holds "every fact holds" user polariscope check facts
 # shellcheck disable=SC2016 # for the shell inside
+holds "a program of one's own works with the library" user sh -c \
+    'cmake -S "$1" -B consumer && cmake --build consumer && consumer/consumer' sh "$root/tests/consumer"
+# shellcheck disable=SC2016
 holds "nothing of the tree's place is in the program" sh -c '! grep -aF "$1" /usr/bin/polariscope' sh "$root"
 # shellcheck disable=SC2016
 holds "the manual page is there" user sh -c 'man polariscope | grep -q -e --node-budget'

@@ -1,0 +1,50 @@
+# What a program outside needs of the engine: one archive of all rooms behind the front door, its headers, and
+# find_package(polariscope). The command line and the checks (cli, verify) are no part of it.
+if(POL_SANITIZE)
+    return()
+endif()
+
+file(STRINGS ${PROJECT_SOURCE_DIR}/rooms.txt rows REGEX "^engine/")
+set(objects "")
+foreach(row IN LISTS rows)
+    if(row MATCHES "^engine/(cli|verify)")
+        continue()
+    endif()
+    string(REGEX REPLACE "^engine/([^ ]+) .*" "\\1" room "${row}")
+    string(REPLACE "/" "_" room "${room}")
+    get_target_property(type pol_${room} TYPE)
+    if(type STREQUAL "STATIC_LIBRARY")
+        list(APPEND objects $<TARGET_OBJECTS:pol_${room}>)
+    endif()
+endforeach()
+if(NOT TinyGLTF_FOUND)
+    list(APPEND objects $<TARGET_OBJECTS:pol_tinygltf>)
+endif()
+
+add_library(polariscope_engine STATIC ${objects})
+set_target_properties(polariscope_engine PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME engine)
+target_compile_features(polariscope_engine INTERFACE cxx_std_20)
+target_include_directories(polariscope_engine INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+# Each is looked for again by polariscopeConfig.cmake.in.
+foreach(library cairo embree fmt highway openexr png threads yaml-cpp)
+    target_link_libraries(polariscope_engine PRIVATE ${pol_library_${library}})
+endforeach()
+if(TinyGLTF_FOUND)
+    target_link_libraries(polariscope_engine PRIVATE TinyGLTF::TinyGLTF)
+endif()
+
+foreach(header assets explain light maps picture plan polariscope render result scene)
+    list(APPEND headers ${CMAKE_CURRENT_SOURCE_DIR}/polariscope/${header}.h)
+endforeach()
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/polariscope)
+set(assets_folder ${CMAKE_INSTALL_DATADIR}/polariscope)
+include(CMakePackageConfigHelpers)
+configure_package_config_file(${CMAKE_CURRENT_SOURCE_DIR}/polariscope/polariscopeConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/polariscopeConfig.cmake INSTALL_DESTINATION ${config_folder} PATH_VARS assets_folder)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/polariscopeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(TARGETS polariscope_engine EXPORT polariscope ARCHIVE COMPONENT development)
+install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/polariscope COMPONENT development)
+install(EXPORT polariscope NAMESPACE polariscope:: FILE polariscopeTargets.cmake
+    DESTINATION ${config_folder} COMPONENT development)
+install(FILES ${PROJECT_BINARY_DIR}/polariscopeConfig.cmake ${PROJECT_BINARY_DIR}/polariscopeConfigVersion.cmake
+    DESTINATION ${config_folder} COMPONENT development)
