@@ -13,7 +13,7 @@ constexpr std::string_view before = R"zsh(#compdef polariscope
 # Offers folders, and files that end in .ENDING...; shipped scenes where no file fits.
 _polariscope_files() {
     local folder program=${commands[polariscope]:A}
-    _files -g "*.(${(j:|:)@})" && return
+    _files -g "${(j: :)${@/#/*.}}" && return
     [[ " $* " == *' yaml '* ]] || return 1
     for folder in $POLARISCOPE_ASSETS ${program:h:h}/share/polariscope ${program:h}/share/polariscope; do
         [[ -d $folder/scenes ]] || continue

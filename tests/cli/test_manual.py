@@ -13,14 +13,20 @@ from pathlib import Path
 from program import PROGRAM, REPOSITORY, SCENES, ProgramTest, main
 
 COMMANDS = ("render", "maps", "explain", "interface", "plan", "check", "converge", "manual")
+# Types $1 and the tabulator, and reads until $2 stands there.
 ZSH_CONVERSATION = r"""
 zmodload zsh/zpty
 zpty -b shell zsh -f -i
 zpty -w shell 'PS1=; fpath=($PWD $fpath); autoload -U compinit; compinit -u -D; LISTMAX=10000; COLUMNS=200; echo re''ady'
 zpty -r -m shell answer '*ready*'
-zpty -w -n shell "$1"$'\t\t'
-sleep 2
-zpty -r -t shell answer '*' && print -r -- $answer
+zpty -w -n shell "$1"$'\t'
+for i in {1..200}; do
+    while zpty -r -t shell answer; do said+=$answer; done
+    [[ $said != *$2* ]] || exit 0
+    sleep 0.1
+done
+print -r -- $said
+exit 1
 """
 
 
@@ -110,10 +116,10 @@ class Manual(ProgramTest):
         elsewhere.touch()
         self.assertEqual(self.completed("polariscope render wolla", POLARISCOPE_ASSETS=str(elsewhere.parents[1])), [str(elsewhere)])
 
-    def zsh_offers(self, line):
-        done = subprocess.run(["zsh", "-f", "-c", ZSH_CONVERSATION, "zsh", line], cwd=self.folder, capture_output=True, text=True,
-                              timeout=60, env=os.environ | {"PATH": f"{Path(PROGRAM).parent}:{os.environ['PATH']}", "TERM": "dumb"})
-        return done.stdout
+    def assert_zsh_offers(self, line, offered):
+        done = subprocess.run(["zsh", "-f", "-c", ZSH_CONVERSATION, "zsh", line, offered], cwd=self.folder, capture_output=True,
+                              text=True, env=os.environ | {"PATH": f"{Path(PROGRAM).parent}:{os.environ['PATH']}", "TERM": "dumb"})
+        self.assertEqual(done.returncode, 0, done.stdout)
 
     @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
     def test_zsh_completes_too(self):
@@ -125,7 +131,7 @@ class Manual(ProgramTest):
                               ("polariscope maps mi", "mine.exr"), ("polariscope render --wavel", "--wavelengths"),
                               ("polariscope render wolla", "wollaston.yaml"), ("polariscope check facts T4", "T41")):
             with self.subTest(line):
-                self.assertIn(offered, self.zsh_offers(line))
+                self.assert_zsh_offers(line, offered)
 
 
 class Assets(ProgramTest):
