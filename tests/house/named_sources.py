@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks that what comments, docstrings, texts for users and Markdown name is there: files and folders of this tree, sections of
-PHYSICS.md, CUTTING.md and CONVENTIONS.md, cases and sweeps of PHYSICS.md 4, facts (T1, T2, ...), and the `functions()` of Markdown. Prints one
-`file:line: what is missing` per finding; exits 1 if there is any.
+PHYSICS.md, CUTTING.md and CONVENTIONS.md, cases and sweeps of PHYSICS.md 4, facts (T1, T2, ...), and the `functions()` and (Tests: `Suite.Name...`) of
+Markdown. Prints one `file:line: what is missing` per finding; exits 1 if there is any.
 
 Usage: named_sources.py ROOT        (the top of a working tree)
 
@@ -38,6 +38,8 @@ CASES = rf",{GAP}cases?{GAP}\d+(?:(?:,|{GAP}and|{GAP}to){GAP}\d+)*"
 CITED = re.compile(rf"\b({'|'.join(CHAPTERS)})\.md`?,?(?:{GAP}sections?)?"
                    rf"((?:(?:,|{GAP}and|{GAP}to)?{GAP}{NUMBER}(?:{CASES})?)+)")
 FUNCTION = re.compile(r"`(?:\w+::)*(\w+)\(\)`")
+TESTS = re.compile(r"\b[Tt]ests?: `[A-Z]\w+\.[^)]*")
+TEST = re.compile(r"`([A-Z]\w+\.\w*)(?:\.\.\.|\*)?`")
 FACT = re.compile(r"(?<![\w.-])T([1-9]\d?)(?![\w(<>{:]|\.\w)")
 
 
@@ -73,6 +75,10 @@ class House:
         self.root = root
         texts = {name: self.text_of(path) for name, path in CHAPTERS.items()}
         self.sections = {name: set(re.findall(r"^#+ (\d+(?:\.\d+)*)\.? ", text, re.MULTILINE)) for name, text in texts.items()}
+        self.tests = set()
+        for file in (root / "tests").rglob("*.cpp"):
+            found = re.findall(r"^TEST(?:_[FP])?\((\w+), *(\w+)\)", file.read_text(encoding="utf-8"), re.MULTILINE)
+            self.tests.update(".".join(names) for names in found)
         self.words = set()
         for file in (file for top in ("engine", "viewer", "shaders") for file in (root / top).rglob("*")):
             if file.suffix in SLASHES:
@@ -111,6 +117,10 @@ def missing_files(house, file, text, is_comment):
         for match in FUNCTION.finditer(text):
             if match.group(1) not in house.words:
                 yield match.start(), f"there is no {match.group().strip('`')}"
+        for group in TESTS.finditer(text):
+            for match in TEST.finditer(group.group()):
+                if not any(test.startswith(match.group(1)) for test in house.tests):
+                    yield group.start() + match.start(), f"there is no test {match.group(1)}"
         for match in LINK.finditer(text):
             if "://" not in match.group(1) and not house.has(match.group(1), file.parent):
                 yield match.start(1), f"there is no {match.group(1)}"

@@ -19,6 +19,7 @@ HOUSE = {
     "engine/optics/fresnel.h": "#pragma once\nFresnel fresnel(Real n1);\n",
     "engine/verify/degenerate/axis_cases.cpp": 'Case a{"along-axis"};\n',
     "tests/optics/oracle.py": "",
+    "tests/optics/test_frame.cpp": "TEST(Frame, IsRightHanded) {\n}\n",
     "assets/scenes/cube.yaml": "",
     "assets/pictures/window.png": "",
 }
@@ -92,6 +93,11 @@ class NamedSources(unittest.TestCase):
     def test_a_function_that_markdown_names_stands_in_the_sources(self):
         self.expect_clean("README.md", "`fresnel()` and `Optics::fresnel()`", "fresnel2()")
         self.expect("README.md", "`respond()`", 1, "there is no respond()")
+
+    def test_a_test_that_markdown_names_stands_in_the_tests(self):
+        self.expect_clean("README.md", "(Test: `Frame.IsRight...`.)", "(Tests: `Frame.*`,\n`Frame.IsRightHanded`.)", "`Gone.Name`")
+        self.expect("README.md", "(Tests: `Frame.*`,\n`Gone.*`.)", 2, "there is no test Gone.")
+        self.expect("README.md", "(Test: `Frame.IsWrong...`.)", 1, "there is no test Frame.IsWrong")
 
     def test_a_section_must_be_a_heading_of_its_chapter(self):
         self.expect_clean("engine/a.cpp", "// PHYSICS.md 2.1 to 2.1, and PHYSICS.md 4", 'f("x; PHYSICS.md 2.1: r_p = -r_s");',
