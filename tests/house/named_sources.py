@@ -31,6 +31,7 @@ PLACEHOLDER = re.compile(r"(?<![A-Z])(?:NAME|FILE|FOLDER)(?![A-Z])")
 BEFORE = r"(?<![\w./<*{}$~-])"
 FILE = re.compile(BEFORE + r"(?:\.\.?/)*\w[\w./-]*\.(?:md|h|cpp|py|sh|yaml|frag|vert|glsl|cmake)\b(?![\w*{/]|\.\w)")
 FOLDER = re.compile(BEFORE + rf"(?:{'|'.join(TOPS)})/[\w/-]*\w(?![\w*{{<$-]|\.\w)")
+FENCED = re.compile(r"^```(?:cpp|cmake)\n.*?^```$", re.DOTALL | re.MULTILINE)  # a program of the reader's
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 GAP = r"(?: |\s*\n\s*(?:///?<?|#)?\s*)"  # a blank, or a line break in a comment
 NUMBER = r"\d+(?:\.\d+)*(?![\w.]*\w)"
@@ -65,7 +66,8 @@ def parts(file, text):
         return parts_of_slashes(text)
     if file.suffix in HASHES or file.name == "CMakeLists.txt":
         return parts_of_hashes(text, file.suffix == ".py")
-    return [(0, text, True)] if file.suffix == ".md" else []
+    blank = lambda match: re.sub(r"[^\n]", " ", match.group())
+    return [(0, FENCED.sub(blank, text), True)] if file.suffix == ".md" else []
 
 
 class House:

@@ -80,6 +80,10 @@ class NamedSources(unittest.TestCase):
         self.expect("README.md", "`PHYSICS.md`, not `physics.md`", 1, "there is no physics.md")
         self.expect("README.md", "`engine/README.md`", 1, "there is no engine/README.md")
 
+    def test_a_program_of_the_reader_in_markdown_is_left_alone(self):
+        self.expect_clean("README.md", "```cpp\nauto f = [](const X& x) { return x; };  // gone.h\n```")
+        self.expect("README.md", "```cmake\nadd_executable(a main.cpp)\n```\n\n`gone.h`", 5, "there is no gone.h")
+
     def test_folders_below_a_known_top_are_looked_for(self):
         self.expect_clean("README.md", "`engine/optics/`, tests/optics.", "`assets/scenes/cube.yaml`")
         self.expect("README.md", "in `engine/media` and", 1, "there is no engine/media")
