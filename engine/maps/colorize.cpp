@@ -35,27 +35,8 @@ MapRange extremes(const Map& map) {
 /// `kind` is how the scale is to be read.
 ColorScale color_scale(Quantity quantity, bool is_difference, MapStyle style, ScaleKind kind) {
     if (kind == ScaleKind::gray || (style == MapStyle::paper && kind == ScaleKind::sequential)) return ColorScale::gray;
-    if (style == MapStyle::wilkie && !is_difference && kind == info(quantity).kind) {
-        switch (quantity) {
-            case Quantity::dop:
-            case Quantity::dolp:
-            case Quantity::docp:
-                return ColorScale::wilkie_degree;
-            case Quantity::ellipticity:
-                return ColorScale::wilkie_type;
-            case Quantity::azimuth:
-                return ColorScale::wilkie_orientation;
-            case Quantity::s1:
-                return ColorScale::wilkie_s1;
-            case Quantity::s2:
-                return ColorScale::wilkie_s2;
-            case Quantity::handedness:
-            case Quantity::s3:
-                return ColorScale::wilkie_chirality;
-            default:
-                break;
-        }
-    }
+    const QuantityInfo& about = info(quantity);
+    if (style == MapStyle::wilkie && !is_difference && kind == about.kind && about.wilkie) return *about.wilkie;
     if (kind == ScaleKind::cyclic) return ColorScale::cyclic;
     return kind == ScaleKind::diverging ? ColorScale::diverging : ColorScale::sequential;
 }

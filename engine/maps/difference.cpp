@@ -15,10 +15,9 @@ MapPixel difference(Quantity quantity, const MapPixel& a, const MapPixel& b) {
         if (either(state)) return {0.0, 0.0, state};
     if (a.state != PixelState::defined || b.state != PixelState::defined)
         return {0.0, 0.0, a.state == b.state ? a.state : PixelState::undefined};
-    constexpr double half_turn = 180.0;
-    double by = a.value - b.value;
-    if (quantity == Quantity::azimuth) by = std::remainder(by, half_turn);
     const QuantityInfo& about = info(quantity);
+    double by = a.value - b.value;
+    if (about.kind == ScaleKind::cyclic) by = std::remainder(by, about.high - about.low);
     const double range = std::isfinite(about.high) ? about.high - about.low : 0.0;
     if (std::abs(by) <= pixel_noise * std::max({std::abs(a.value), std::abs(b.value), range})) by = 0.0;
     // The bar of a difference is as wide as both bars together.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The formulas of the maps, and of their bars. shaders/evaluate.glsl has the same ones in single precision.
 #include "maps/evaluate.h"
 
 #include <algorithm>
@@ -21,11 +22,9 @@ MapPixel number(double value) {
     return std::isfinite(value) ? MapPixel{value} : empty(PixelState::not_a_number);
 }
 
-/// What a map of the polarization state shows.
+/// What a map of the polarization state shows, if what carries the property is there.
 struct Reading {
     double value = 0.0;
-    double weight = 1.0;
-    bool defined = true;
     double spread = 0.0;  // width of the bar, half of the quantity's range being 1
 };
 
@@ -34,35 +33,32 @@ double spread_of(const Interval<double>& bar, double range) {
 }
 
 Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>& m, const MeasureBounds<double>& bars) {
-    const double fade = std::min(1.0, m.dop / full_weight_polarization);
     switch (quantity) {
         case Quantity::dop:
-            return {m.dop, 1.0, true, spread_of(bars.dop, 1.0)};
+            return {m.dop, spread_of(bars.dop, 1.0)};
         case Quantity::dolp:
-            return {m.dolp, 1.0, true, spread_of(bars.dolp, 1.0)};
+            return {m.dolp, spread_of(bars.dolp, 1.0)};
         case Quantity::docp:
-            return {m.docp, 1.0, true, spread_of(bars.docp, 1.0)};
+            return {m.docp, spread_of(bars.docp, 1.0)};
         case Quantity::ellipticity:
-            return {m.ellipticity, fade, m.has_polarization, spread_of(bars.ellipticity, 1.0)};
+            return {m.ellipticity, spread_of(bars.ellipticity, 1.0)};
         case Quantity::handedness:
             // sin(2 chi) = S3 / p, from the angle that Measures has in its stable form.
-            return {std::sin(2.0 * m.ellipticity_angle), fade, m.has_polarization,
-                    spread_of(bars.ellipticity_angle, pi / 2.0)};
+            return {std::sin(2.0 * m.ellipticity_angle), spread_of(bars.ellipticity_angle, pi / 2.0)};
         case Quantity::azimuth:
-            return {degrees(m.azimuth), std::min(1.0, m.dolp / full_weight_polarization), m.has_azimuth,
-                    bars.azimuth / (pi / 4.0)};
+            return {degrees(m.azimuth), bars.azimuth / (pi / 4.0)};
         case Quantity::s1:
-            return {s.s1 / s.s0, 1.0, true, bars.s1.width() / s.s0};
+            return {s.s1 / s.s0, bars.s1.width() / s.s0};
         case Quantity::s2:
-            return {s.s2 / s.s0, 1.0, true, bars.s2.width() / s.s0};
+            return {s.s2 / s.s0, bars.s2.width() / s.s0};
         case Quantity::s3:
-            return {s.s3 / s.s0, 1.0, true, bars.s3.width() / s.s0};
+            return {s.s3 / s.s0, bars.s3.width() / s.s0};
         case Quantity::dop_error:
             return {half_width(bars.dop, m.dop)};
         case Quantity::ellipticity_error:
-            return {half_width(bars.ellipticity, m.ellipticity), 1.0, m.has_polarization};
+            return {half_width(bars.ellipticity, m.ellipticity)};
         case Quantity::azimuth_error:
-            return {degrees(bars.azimuth), 1.0, m.has_azimuth};
+            return {degrees(bars.azimuth)};
         case Quantity::color:
         case Quantity::intensity:
         case Quantity::residual:
@@ -71,6 +67,15 @@ Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>&
     }
     POL_EXPECTS(false);
     return {};
+}
+
+/// Bar of a Stokes component divided by S0: the part of share_bounds (polarization/bounds.h) that counts for a signed
+/// one.
+Interval<double> signed_share(double part, const Interval<double>& bar, const PixelLight& light) {
+    const double least = light.stokes.s0 + light.missing - light.surplus;
+    if (!(least > 0.0)) return {-1.0, 1.0};
+    const double limit = std::max(1.0, std::abs(part) / light.stokes.s0);
+    return {std::max(-limit, bar.low / least), std::min(limit, bar.high / least)};
 }
 
 }  // namespace
@@ -101,16 +106,59 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
     if (bars->s0.high <= pixel_noise * light.scale) return empty(PixelState::no_light);
     if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
 
+    const QuantityInfo& about = info(quantity);
     const Reading reading = read(quantity, s, m, *bars);
+    const bool is_linear = about.carrier == Carrier::linear_part;
+    const bool is_there = about.carrier == Carrier::light || (is_linear ? m.has_azimuth : m.has_polarization);
     // Where the polarized part is known to be next to nothing, its direction is not unknown but without meaning.
-    const bool is_of_direction =
-        quantity == Quantity::azimuth || quantity == Quantity::ellipticity || quantity == Quantity::handedness;
-    const double most = quantity == Quantity::azimuth ? bars->dolp.high : bars->dop.high;
-    const bool is_unpolarized = is_of_direction && most < full_weight_polarization;
+    const double most = is_linear ? bars->dolp.high : bars->dop.high;
+    const bool is_unpolarized = about.fades() && most < full_weight_polarization;
     const bool is_determined = reading.spread < 1.0;
     if (!is_determined && !is_unpolarized) return empty(PixelState::undetermined);
-    if (!reading.defined || !is_determined) return empty(PixelState::undefined);
-    return {reading.value, reading.weight, PixelState::defined, 1.0 - reading.spread};
+    if (!is_there || !is_determined) return empty(PixelState::undefined);
+    const double polarization = is_linear ? m.dolp : m.dop;
+    const double weight = about.fades() ? std::min(1.0, polarization / full_weight_polarization) : 1.0;
+    return {reading.value, weight, PixelState::defined, 1.0 - reading.spread};
+}
+
+std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quantity, double d65) {
+    POL_EXPECTS(quantity != Quantity::color);
+    const auto bars = error_bars(light);
+    if (!bars || !(light.stokes.s0 > 0.0)) return std::nullopt;
+    const Stokes<double>& s = light.stokes;
+    switch (quantity) {
+        case Quantity::intensity:
+            return Interval<double>{bars->s0.low / d65, bars->s0.high / d65};
+        case Quantity::dop:
+            return bars->dop;
+        case Quantity::dolp:
+            return bars->dolp;
+        case Quantity::docp:
+            return bars->docp;
+        case Quantity::ellipticity:
+            return bars->ellipticity;
+        case Quantity::azimuth: {
+            const double azimuth = degrees(measure(s).azimuth);
+            return Interval<double>{azimuth - degrees(bars->azimuth), azimuth + degrees(bars->azimuth)};
+        }
+        case Quantity::handedness:
+            return Interval<double>{std::sin(2.0 * bars->ellipticity_angle.low),
+                                    std::sin(2.0 * bars->ellipticity_angle.high)};
+        case Quantity::s1:
+            return signed_share(s.s1, bars->s1, light);
+        case Quantity::s2:
+            return signed_share(s.s2, bars->s2, light);
+        case Quantity::s3:
+            return signed_share(s.s3, bars->s3, light);
+        case Quantity::color:
+        case Quantity::residual:
+        case Quantity::dop_error:
+        case Quantity::ellipticity_error:
+        case Quantity::azimuth_error:
+        case Quantity::unphysical:
+            return std::nullopt;
+    }
+    return std::nullopt;
 }
 
 MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
@@ -121,7 +169,7 @@ MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t
 Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength) {
     POL_EXPECTS(wavelength < image.wavelengths_nm.size());
     double d65 = 1.0;
-    if (quantity == Quantity::intensity) {
+    if (info(quantity).is_over_d65) {
         const Result<double> known = d65_at(image.wavelengths_nm[wavelength]);
         if (!known) return known.error();
         d65 = known.value();

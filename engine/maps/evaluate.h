@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/result.h"
 #include "film/stokes_image.h"
 #include "maps/pixel_light.h"
 #include "maps/quantity.h"
+#include "polarization/bounds.h"
 #include "polarization/measures.h"
 
 namespace pol {
@@ -57,13 +59,18 @@ inline constexpr double pixel_noise = noise_threshold(1000.0);
 /// at most PixelLight::rounding each, which changes the quotient by at most as much: less than that is 0.
 double unphysical_part(const PixelLight& light);
 
-/// The value of `quantity` of some light. `d65` is CIE D65 at the wavelength, used by `intensity` only.
+/// The value of `quantity` of some light. `d65` is CIE D65 at the wavelength, used where QuantityInfo::is_over_d65.
 /// Requires: quantity is not `color` (see color_picture.h).
 MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65);
 MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
                         double d65);
 
-/// The whole map. Error (kind input): `intensity` at a wavelength where D65 is not known.
+/// The bar of one quantity, in its unit. Empty: the bar is not a number, there is no S0 to divide by, or the quantity
+/// has no bar (QuantityInfo::has_bar). The bar of the azimuth may reach beyond +-90 degrees: it is one of directions.
+/// `d65` as in evaluate_light. Requires: quantity is not `color`.
+std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quantity, double d65);
+
+/// The whole map. Error (kind input): an amount over D65 at a wavelength where that is not known.
 /// Requires: quantity is not `color`, wavelength < image.wavelengths_nm.size().
 Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength);
 

@@ -51,7 +51,7 @@ std::vector<LegendEntry> legend_of(const ColoredMap& map) {
             {PixelState::defined, fmt::format("fades below {} % polarized", 100.0 * full_weight_polarization)});
     if (map.fades_by_bar)
         entries.push_back({PixelState::defined, "fades as the error bar widens to half of the range"});
-    const bool needs_axis = map.quantity == Quantity::azimuth || map.quantity == Quantity::azimuth_error;
+    const bool needs_axis = info(map.quantity).carrier == Carrier::linear_part;
     const std::string as_none = map.black_is_none ? ", drawn as 0" : "";
     add(PixelState::no_light, "no light" + as_none);
     add(PixelState::undefined, (needs_axis ? "unpolarized or circular" : "unpolarized") + as_none);
@@ -61,7 +61,7 @@ std::vector<LegendEntry> legend_of(const ColoredMap& map) {
     return entries;
 }
 
-std::string number_text(double value) {
+std::string tick_text(double value) {
     return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value);
 }
 
@@ -97,7 +97,7 @@ public:
         : map_(map), caption_(caption), legend_(legend_of(map)), title_(title_of(map)) {
         if (map.scale) {
             for (const double tick : bar_ticks(map.range, map.kind())) {
-                ticks_.emplace_back(tick, number_text(tick) + degree_sign() + end_word(tick, map.range, map.words));
+                ticks_.emplace_back(tick, tick_text(tick) + degree_sign() + end_word(tick, map.range, map.words));
             }
         }
         arrange();

@@ -5,6 +5,10 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include "core/units.h"
 #include "maps/color_picture.h"
@@ -51,6 +55,89 @@ TEST(Quantity, IsFoundByItsOwnNameAndByTheNearestToATypo) {
     EXPECT_EQ(nearest_quantity("azimut"), Quantity::azimuth);
     EXPECT_EQ(nearest_quantity("colour"), Quantity::color);
     EXPECT_EQ(nearest_quantity("elipticity"), Quantity::ellipticity);
+}
+
+TEST(Quantity, RowsAreUniqueWhereTheyMustBe) {
+    std::set<std::string_view> names;
+    std::set<std::string_view> titles;
+    std::set<std::string_view> list_titles;
+    std::set<std::pair<char, bool>> keys;
+    for (const QuantityInfo& about : quantities()) {
+        SCOPED_TRACE(about.name);
+        EXPECT_TRUE(names.insert(about.name).second);
+        EXPECT_TRUE(titles.insert(about.title).second);
+        EXPECT_TRUE(list_titles.insert(about.title_in_list()).second);
+        const MapKey key = about.key;
+        EXPECT_TRUE(key == MapKey{} || keys.emplace(key.letter, key.shift).second) << "two maps have the key";
+        const bool is_plain = (key.letter >= '0' && key.letter <= '9') || (key.letter >= 'A' && key.letter <= 'Z');
+        EXPECT_TRUE(key == MapKey{} || is_plain);
+        // The name is a part of an identifier in the shaders.
+        EXPECT_EQ(about.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"), std::string_view::npos);
+    }
+}
+
+TEST(Quantity, RowsSayWhatListsAndPagesNeed) {
+    std::set<MapGroup> begun;
+    std::optional<MapGroup> last;
+    for (const QuantityInfo& about : quantities()) {
+        SCOPED_TRACE(about.name);
+        EXPECT_TRUE(about.group == last || begun.insert(about.group).second) << "its group is torn apart";
+        last = about.group;
+        EXPECT_EQ(about.row_name.empty(), about.group != MapGroup::polarization);
+        EXPECT_EQ(about.low_word.empty(), about.high_word.empty());
+        EXPECT_TRUE(std::isnan(about.high) || about.low < about.high);
+        if (about.kind == ScaleKind::diverging) EXPECT_EQ(about.low, -about.high);
+        if (about.group == MapGroup::polarization && !about.from_source.empty())
+            EXPECT_FALSE(about.in_a_frame.empty()) << "its page may be in any convention";
+    }
+}
+
+/// Light with all properties, of which a little was left out.
+PixelLight some_light() {
+    PixelLight light;
+    light.stokes = {1.0, 0.4, -0.3, 0.5};
+    light.missing = 0.02;
+    light.surplus = 0.005;
+    light.residual = 0.015;
+    light.scale = 1.0;
+    return light;
+}
+
+TEST(Quantity, EveryRowHasItsFormulaAndABarExactlyIfItSaysSo) {
+    const PixelLight light = some_light();
+    std::set<double> values;
+    for (const QuantityInfo& about : quantities()) {
+        if (about.kind == ScaleKind::color) continue;
+        SCOPED_TRACE(about.name);
+        const MapPixel pixel = evaluate_light(light, about.quantity, 0.9);
+        EXPECT_EQ(pixel.state, PixelState::defined);
+        EXPECT_TRUE(values.insert(pixel.value).second) << "another map has the same value";
+        EXPECT_GE(pixel.value, about.low);
+        if (!std::isnan(about.high)) EXPECT_LE(pixel.value, 1.2 * about.high);
+        const auto bar = error_bar(light, about.quantity, 0.9);
+        ASSERT_EQ(bar.has_value(), about.has_bar);
+        if (!bar) continue;
+        EXPECT_LT(bar->low, pixel.value);
+        EXPECT_GT(bar->high, pixel.value);
+    }
+}
+
+// The row says which part of the light has the property; the formulas are asked.
+TEST(Quantity, IsUndefinedExactlyWhereItsCarrierIsMissing) {
+    PixelLight unpolarized = some_light();
+    unpolarized.stokes = {1.0, 0.0, 0.0, 0.0};
+    PixelLight circular = some_light();
+    circular.stokes = {1.0, 0.0, 0.0, 1.0};
+    for (PixelLight* light : {&unpolarized, &circular}) light->missing = light->surplus = light->residual = 0.0;
+    for (const QuantityInfo& about : quantities()) {
+        if (about.kind == ScaleKind::color) continue;
+        SCOPED_TRACE(about.name);
+        const auto is_defined = [&](const PixelLight& light) {
+            return evaluate_light(light, about.quantity, 1.0).state == PixelState::defined;
+        };
+        EXPECT_EQ(is_defined(unpolarized), about.carrier == Carrier::light);
+        EXPECT_EQ(is_defined(circular), about.carrier != Carrier::linear_part);
+    }
 }
 
 TEST(Evaluate, GivesBackTheStateThatThePointOnThePoincareSphereNames) {

@@ -13,8 +13,6 @@
 
 namespace pol {
 
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::unphysical) + 1;
-
 /// Polarization ellipses drawn over the picture.
 enum class GlyphKind : std::uint8_t { none, ellipses, azimuth_strokes, combined };
 enum class GlyphLength : std::uint8_t { equal, by_dop, by_intensity };
