@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture as maps::evaluate and maps::colorize would have it, one fragment per device pixel of the viewport.
-// After measures.glsl, bounds.glsl and the constants of picture/picture_renderer.cpp: quantity_..., state_..., and what this
-// variant is for: `quantity`, `over_intensity`, `is_difference`, `is_reduced`. A software rasterizer runs both sides of every branch, so
-// one program for all maps would cost as much as all of them.
+// After evaluate.glsl and the constants of picture/picture_renderer.cpp, which say what this variant is for: `over_intensity`,
+// `is_difference`, `is_reduced`. A software rasterizer runs both sides of every branch, so one program for all maps
+// would cost as much as all of them.
 
 uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the polarimeter
 uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S0 of darkness (negative: no sample yet)
@@ -20,10 +20,6 @@ uniform vec4 background;
 
 uniform float low;               // value at the beginning of the scale
 uniform float high;              // value at its end
-uniform float brightest;         // trace bound of the light that any path can bring
-uniform float d65;               // 0: not known
-uniform float noise;             // pixel_noise
-uniform float full_weight;       // full_weight_polarization
 uniform bool fades;              // weak polarization is drawn with less than full weight
 uniform bool fades_by_bar;       // and so is what has a wide error bar
 uniform bool has_polarimeter;
@@ -37,20 +33,7 @@ uniform vec3 hatch_dark;
 
 out vec4 fragment;
 
-struct Light {
-    vec4 stokes;
-    float residual;
-    float surplus;
-    float unphysical;
-    float dark;
-    vec3 color;
-    bool is_sampled;
-};
-
 const bool needs_color = quantity == quantity_color || over_intensity;
-// Properties of the polarized part, which fade with it.
-const bool is_of_direction =
-    quantity == quantity_ellipticity || quantity == quantity_azimuth || quantity == quantity_handedness;
 
 Light light_at(ivec2 at) {
     vec4 error = texelFetch(left_out, at, 0);
@@ -89,93 +72,6 @@ Light mean_light(ivec2 first, ivec2 last) {
     mean.dark /= count;
     mean.color /= count;
     return mean;
-}
-
-struct MapPixel {
-    float value;
-    float weight;
-    int state;
-    float certainty;
-};
-
-MapPixel number(float value) {
-    return MapPixel(value, 1.0, is_finite(value) ? state_defined : state_not_a_number, 1.0);
-}
-
-MapPixel empty(int state) {
-    return MapPixel(0.0, 0.0, state, 1.0);
-}
-
-// evaluate_light of engine/maps/evaluate.cpp.
-MapPixel evaluate(Light light) {
-    if (quantity == quantity_intensity) return d65 == 0.0 ? empty(state_undefined) : number(light.stokes.x / d65);
-    if (quantity == quantity_residual) return number(light.residual);
-    if (quantity == quantity_unphysical) return number(light.unphysical);
-
-    vec4 s = light.stokes;
-    float surplus = light.surplus;
-    float missing = light.residual * brightest + surplus;
-    Measures m = measure(s, noise);
-    if (!is_finite(s) || !is_finite(missing)) return empty(state_not_a_number);
-    if (!m.is_light || surplus < 0.0 || light.residual < 0.0) return empty(state_unphysical);
-    if (s.x + missing <= light.dark) return empty(state_no_light);
-    if (!m.has_light) return empty(state_undetermined);
-
-    float radius = missing + surplus;
-    vec2 dop_bar = share_bounds(m.polarized, s.x, missing, surplus);
-    vec2 dolp_bar = share_bounds(m.linear, s.x, missing, surplus);
-    float value = 0.0;
-    float weight = 1.0;
-    bool is_defined = true;
-    float spread = 0.0;  // width of the bar, half of the quantity's range being 1
-    if (quantity == quantity_dop) {
-        value = m.dop;
-        spread = 2.0 * (dop_bar.y - dop_bar.x);
-    } else if (quantity == quantity_dolp) {
-        value = m.dolp;
-        spread = 2.0 * (dolp_bar.y - dolp_bar.x);
-    } else if (quantity == quantity_docp) {
-        vec2 bar = share_bounds(abs(s.w), s.x, missing, surplus);
-        value = m.docp;
-        spread = 2.0 * (bar.y - bar.x);
-    } else if (quantity == quantity_ellipticity) {
-        vec2 bar = ellipticity_bounds(m, radius);
-        value = m.ellipticity;
-        weight = m.dop / full_weight;
-        is_defined = m.has_polarization;
-        spread = 2.0 * (bar.y - bar.x);
-    } else if (quantity == quantity_handedness) {
-        vec2 bar = ellipticity_angle_bounds(m, radius);
-        value = m.chirality;
-        weight = m.dop / full_weight;
-        is_defined = m.has_polarization;
-        spread = (bar.y - bar.x) / (pi / 4.0);
-    } else if (quantity == quantity_azimuth) {
-        value = degrees(m.azimuth);
-        weight = m.dolp / full_weight;
-        is_defined = m.has_azimuth;
-        spread = azimuth_bound(m, radius) / (pi / 4.0);
-    } else if (quantity == quantity_s1 || quantity == quantity_s2 || quantity == quantity_s3) {
-        float part = quantity == quantity_s1 ? s.y : quantity == quantity_s2 ? s.z : s.w;
-        value = part / s.x;
-        spread = 2.0 * radius / s.x;
-    } else if (quantity == quantity_dop_error) {
-        value = share_half_width(m.polarized, s.x, missing, surplus);
-    } else if (quantity == quantity_ellipticity_error) {
-        value = m.has_polarization ? ellipticity_half_width(m, s.w, radius) : 0.0;
-        is_defined = m.has_polarization;
-    } else if (quantity == quantity_azimuth_error) {
-        value = degrees(azimuth_bound(m, radius));
-        is_defined = m.has_azimuth;
-    }
-
-    // Where the polarized part is known to be next to nothing, its direction is not unknown but without meaning.
-    float most = quantity == quantity_azimuth ? dolp_bar.y : dop_bar.y;
-    bool is_unpolarized = is_of_direction && most < full_weight;
-    bool is_determined = spread < 1.0;
-    if (!is_determined && !is_unpolarized) return empty(state_undetermined);
-    if (!is_defined || !is_determined) return empty(state_undefined);
-    return MapPixel(value, min(1.0, weight), state_defined, 1.0 - spread);
 }
 
 // Of the pixels first <= p <= last the one that differs most: a single wrong pixel must not drown. Not known: state -1.
@@ -221,8 +117,8 @@ vec3 map_color(MapPixel pixel, ivec2 at) {
     if (pixel.state == state_undetermined && (at.x + at.y) / 2 % 4 >= 2) return hatch_dark;
     if (pixel.state != state_defined) return state_colors[pixel.state];
     float t = (pixel.value - low) / (high - low);
-    if (quantity == quantity_intensity && !is_difference) t = developed(vec3(t)).x;
-    if (!is_of_direction && !fades_by_bar) return scale_color(t, true);
+    if (is_photograph && !is_difference) t = developed(vec3(t)).x;
+    if (!fades_with_carrier && !fades_by_bar) return scale_color(t, true);
     float weight = (fades ? pixel.weight : 1.0) * (fades_by_bar ? pixel.certainty : 1.0);
     return srgb_encode(mix(ground, scale_color(t, false), weight));
 }

@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "maps/error_bars.h"
+#include "maps/evaluate.h"
 #include "polarization/bounds.h"
 #include "support/egl_context.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/render_target.h"
 #include "viewer/gl/shader_sources.h"
 #include "viewer/picture/float_texture.h"
+#include "viewer/picture/picture_floats.h"
+#include "viewer/picture/shader_constants.h"
+#include "viewer/shown/shown_picture.h"
 
 namespace pol {
 namespace {
@@ -79,33 +83,59 @@ protected:
     void SetUp() override { ASSERT_EQ(context_.problem(), ""); }
 
     std::vector<Float4> evaluate(const std::vector<Input>& all, const std::string& body) {
-        constexpr int width = 256;
-        const int height = (static_cast<int>(all.size()) + width - 1) / width;
-        std::vector<Float4> stokes(static_cast<std::size_t>(width * height));
-        std::vector<Float4> amounts(stokes.size());
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            stokes[i] = all[i].stokes;
-            amounts[i] = {all[i].missing, all[i].surplus, 0.0F, 0.0F};
+        std::vector<Float4> stokes;
+        std::vector<Float4> amounts;
+        for (const Input& input : all) {
+            stokes.push_back(input.stokes);
+            amounts.push_back({input.missing, input.surplus, 0.0F, 0.0F});
         }
-        FloatTexture stokes_texture;
-        FloatTexture amounts_texture;
-        for (auto* texture : {&stokes_texture, &amounts_texture}) texture->resize(width, height);
-        stokes_texture.write({0, 0, width, height}, stokes);
-        amounts_texture.write({0, 0, width, height}, amounts);
-
         const std::string main_text =
             "uniform sampler2D stokes;\nuniform sampler2D amounts;\nout vec4 result;\nvoid main() {\n"
             "ivec2 at = ivec2(gl_FragCoord.xy);\nvec4 s = texelFetch(stokes, at, 0);\n"
             "float missing = texelFetch(amounts, at, 0).x;\nfloat surplus = texelFetch(amounts, at, 0).y;\n"
             "float radius = missing + surplus;\nMeasures m = measure(s, 1e-12);\n" +
             body + "\n}\n";
-        auto program = Program::link({shader_sources::fullscreen_vert()},
-                                     {shader_sources::measures_glsl(), shader_sources::bounds_glsl(), main_text});
+        const auto program = Program::link({shader_sources::fullscreen_vert()},
+                                           {shader_sources::measures_glsl(), shader_sources::bounds_glsl(), main_text});
+        EXPECT_TRUE(program) << to_string(program.error());
+        return program ? run(program.value(), stokes, amounts) : std::vector<Float4>{};
+    }
+
+    /// Value, weight, state and certainty of the map of `quantity`, by the formula that the window's picture uses.
+    std::vector<Float4> evaluate_map(const LightFloats& lights, Quantity quantity, double d65) {
+        constexpr std::string_view main_text =
+            "uniform sampler2D stokes;\nuniform sampler2D amounts;\nout vec4 result;\nvoid main() {\n"
+            "ivec2 at = ivec2(gl_FragCoord.xy);\nvec4 e = texelFetch(amounts, at, 0);\n"
+            "MapPixel p = evaluate(Light(texelFetch(stokes, at, 0), e.x, e.y, e.z, e.w, vec3(0.0), true));\n"
+            "result = vec4(p.value, p.weight, float(p.state), p.certainty);\n}\n";
+        const auto program = Program::link({shader_sources::fullscreen_vert()},
+                                           {shader_sources::measures_glsl(), shader_sources::bounds_glsl(),
+                                            shader_constants(quantity), shader_sources::evaluate_glsl(), main_text});
         EXPECT_TRUE(program) << to_string(program.error());
         if (!program) return {};
         program.value().use();
-        program.value().set("stokes", 0);
-        program.value().set("amounts", 1);
+        program.value().set("brightest", 1.0F);
+        program.value().set("d65", to_single(d65));
+        program.value().set("noise", to_single(pixel_noise));
+        program.value().set("full_weight", to_single(full_weight_polarization));
+        return run(program.value(), lights.stokes, lights.left_out);
+    }
+
+    /// What the program makes of each pair of texels.
+    static std::vector<Float4> run(const Program& program, std::vector<Float4> stokes, std::vector<Float4> amounts) {
+        constexpr int width = 256;
+        const std::size_t count = stokes.size();
+        const int height = (static_cast<int>(count) + width - 1) / width;
+        stokes.resize(static_cast<std::size_t>(width * height));
+        amounts.resize(stokes.size());
+        FloatTexture stokes_texture;
+        FloatTexture amounts_texture;
+        for (auto* texture : {&stokes_texture, &amounts_texture}) texture->resize(width, height);
+        stokes_texture.write({0, 0, width, height}, stokes);
+        amounts_texture.write({0, 0, width, height}, amounts);
+        program.use();
+        program.set("stokes", 0);
+        program.set("amounts", 1);
         RenderTarget target(GL_RGBA32F);
         target.begin(width, height);
         stokes_texture.bind(0);
@@ -116,7 +146,7 @@ protected:
         std::vector<Float4> results(stokes.size());
         glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, results.data());
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-        results.resize(all.size());
+        results.resize(count);
         return results;
     }
 
@@ -240,6 +270,52 @@ TEST_F(ShaderFormulas, HalfWidthsOfBarsAgreeWithTheEngineHoweverSmall) {
         }
         if (m.has_azimuth && !just_reaches(all[i], linear_part(s)))
             expect_near(results[i][2], bars.azimuth, promised, all[i], "bar of the azimuth");
+    }
+}
+
+// Every row of quantities(): one without a formula in evaluate.glsl, or with another one than the engine's, fails.
+TEST_F(ShaderFormulas, EveryMapAgreesWithTheEngine) {
+    const std::vector<Input> all = inputs();
+    StokesImage film;
+    film.width = static_cast<int>(all.size());
+    film.height = 1;
+    film.wavelengths_nm = {550.0};
+    film.brightest = {1.0};
+    for (const Input& input : all) {
+        film.stokes.push_back(stokes_of(input));
+        film.residual.push_back(to_single(static_cast<double>(input.missing) - input.surplus));
+        film.tail.push_back(input.surplus);
+    }
+    const ShownPicture shown(film, {});
+    const LightFloats lights = light_floats(shown, 0, {0, 0, film.width, 1});
+    constexpr double d65 = 0.75;
+    for (const QuantityInfo& about : quantities()) {
+        if (about.kind == ScaleKind::color) continue;
+        SCOPED_TRACE(about.name);
+        const auto results = evaluate_map(lights, about.quantity, d65);
+        ASSERT_EQ(results.size(), all.size());
+        std::size_t compared = 0;
+        std::size_t of_other_state = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            // As above: where a bar depends on the last digit.
+            const Stokes<double> s = stokes_of(all[i]);
+            const bool is_on_edge = just_reaches(all[i], polarized_part(s)) || just_reaches(all[i], linear_part(s)) ||
+                                    s.s0 + film.residual[i] <= 1e-5 * (s.s0 + all[i].missing);
+            if (is_on_edge) continue;
+            const MapPixel expected = evaluate_light(shown.light(0, i), about.quantity, d65);
+            if (static_cast<PixelState>(results[i][2]) != expected.state) {
+                ++of_other_state;
+            } else if (expected.state == PixelState::defined) {
+                ++compared;
+                const double slack = promised * about.rounding_size;
+                expect_near(results[i][0], expected.value, promised, all[i], "value", slack);
+                expect_near(results[i][1], expected.weight, promised, all[i], "weight");
+                expect_near(results[i][3], expected.certainty, 0.0, all[i], "certainty", 10.0 * promised);
+            }
+        }
+        EXPECT_GT(compared, all.size() / 8);
+        // Light at the very limit of being undetermined, or no light.
+        EXPECT_LT(of_other_state, all.size() / 1000);
     }
 }
 

@@ -8,7 +8,8 @@ namespace pol::shader_sources {
 
 std::string_view fullscreen_vert();
 std::string_view measures_glsl();
-std::string_view bounds_glsl();  ///< after measures
-std::string_view map_frag();     ///< after bounds and the constants of picture/picture_renderer.cpp
+std::string_view bounds_glsl();    ///< after measures
+std::string_view evaluate_glsl();  ///< after bounds and picture/shader_constants.h
+std::string_view map_frag();       ///< after evaluate and the constants of picture/picture_renderer.cpp
 
 }  // namespace pol::shader_sources

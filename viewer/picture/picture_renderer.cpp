@@ -17,6 +17,7 @@
 #include "viewer/gl/shader_sources.h"
 #include "viewer/picture/float_texture.h"
 #include "viewer/picture/picture_floats.h"
+#include "viewer/picture/shader_constants.h"
 #include "viewer/session/map_look.h"
 
 namespace pol {
@@ -33,25 +34,6 @@ constexpr int scale_nodes = 1025;
 
 // Texture units.
 enum Unit : int { unit_stokes, unit_left_out, unit_red, unit_green, unit_blue, unit_scale, unit_difference };
-
-/// The enumerations as map.frag names them.
-std::string shader_constants() {
-    std::string text;
-    for (const QuantityInfo& about : quantities()) {
-        text += "const int quantity_" + std::string(about.name) + " = " +
-                std::to_string(static_cast<int>(about.quantity)) + ";\n";
-    }
-    const auto add_state = [&](const std::string& name, PixelState state) {
-        text += "const int state_" + name + " = " + std::to_string(static_cast<int>(state)) + ";\n";
-    };
-    add_state("defined", PixelState::defined);
-    add_state("no_light", PixelState::no_light);
-    add_state("undefined", PixelState::undefined);
-    add_state("undetermined", PixelState::undetermined);
-    add_state("not_a_number", PixelState::not_a_number);
-    add_state("unphysical", PixelState::unphysical);
-    return text + "const int state_count = " + std::to_string(pixel_state_count) + ";\n";
-}
 
 Float3 to_single3(const Rgb& color) {
     return {to_single(color[0]), to_single(color[1]), to_single(color[2])};
@@ -110,13 +92,13 @@ struct Variant {
 
 Result<Program> program_for(const Variant& variant) {
     const auto is = [](bool value) { return value ? "true" : "false"; };
-    const std::string chosen = shader_constants() +
-                               "const int quantity = " + std::to_string(static_cast<int>(variant.quantity)) +
-                               ";\nconst bool over_intensity = " + is(variant.over_intensity) +
+    const std::string chosen = std::string("const bool over_intensity = ") + is(variant.over_intensity) +
                                ";\nconst bool is_difference = " + is(variant.is_difference) +
                                ";\nconst bool is_reduced = " + is(variant.is_reduced) + ";\n";
     using namespace shader_sources;
-    auto program = Program::link({fullscreen_vert()}, {measures_glsl(), bounds_glsl(), chosen, map_frag()});
+    auto program = Program::link(
+        {fullscreen_vert()},
+        {measures_glsl(), bounds_glsl(), shader_constants(variant.quantity), evaluate_glsl(), chosen, map_frag()});
     if (!program) return program;
     program.value().use();
     program.value().set("stokes", unit_stokes);
