@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -53,7 +54,7 @@ TEST(Commands, EveryCommandSaysWhatItDoes) {
     std::set<std::string_view> titles;
     for (const Command& command : commands()) {
         EXPECT_FALSE(command.title.empty());
-        EXPECT_TRUE(command.help.ends_with('.')) << command.title;
+        EXPECT_TRUE(command.help.ends_with('.') || command.map) << command.title;
         EXPECT_TRUE(titles.insert(command.title).second) << command.title << " is there twice";
         EXPECT_NE(command.run, nullptr) << command.title;
     }
@@ -79,16 +80,34 @@ TEST(Commands, KeysThatTheReadmePromisesExist) {
         EXPECT_TRUE(bound.contains(promised)) << promised;
 }
 
-TEST(Commands, EveryMapHasACommand) {
+TEST(Commands, EveryMapHasACommandThatSaysOfItWhatItsRowSays) {
     Session session;
-    std::set<Quantity> reached;
-    for (const Command& command : commands()) {
-        if (command.group != "Map" || !is_enabled(command, session) || command.checked == nullptr) continue;
+    for (const QuantityInfo& about : quantities()) {
+        SCOPED_TRACE(about.name);
+        const auto all = commands();
+        const auto is_this = [&](const Command& command) { return command.map == about.quantity; };
+        ASSERT_EQ(std::count_if(all.begin(), all.end(), is_this), 1);
+        const Command& command = *std::find_if(all.begin(), all.end(), is_this);
+        EXPECT_EQ(command.group, "Map");
+        EXPECT_EQ(command.title, about.title);
+        EXPECT_EQ(command.chord, chord_of(about.quantity));
+        EXPECT_EQ(command.chord.key == Key::none, about.key == MapKey{});
+        EXPECT_EQ(help_of(command, session), about.definition);
         command.run(session);
-        EXPECT_TRUE(command.checked(session)) << command.title;
-        reached.insert(session.view.quantity);
+        EXPECT_TRUE(command.checked(session));
+        EXPECT_EQ(session.view.quantity, about.quantity);
+        if (about.key.letter != '\0') EXPECT_TRUE(name_of(command.chord).ends_with(about.key.letter));
     }
-    EXPECT_EQ(reached.size(), quantity_count);
+}
+
+TEST(Commands, HelpOfAMapFollowsTheShownConvention) {
+    Session session;
+    session.view.convention = {Viewpoint::source, PositiveS3::left, TimeSign::minus};
+    for (const Command& command : commands()) {
+        const std::string expected =
+            command.map ? session.view.convention.definition(*command.map) : std::string(command.help);
+        EXPECT_EQ(help_of(command, session), expected) << command.title;
+    }
 }
 
 TEST(Commands, ArrowsStepThroughMapsUntilAPixelIsPinned) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "viewer/commands/command_actions.h"
 #include "viewer/commands/commands.h"
@@ -24,11 +25,7 @@ constexpr KeyChord ctrl_shift(Key key) {
 
 using namespace action;
 
-template <Quantity quantity>
-constexpr Command map_command(KeyChord chord, std::string_view title, std::string_view help) {
-    return {"Map", title, chord, help, show_map<quantity>, nullptr, {}, false, shows_map<quantity>};
-}
-
+/// All but those of the maps.
 constexpr std::array command_table{
     Command{"File", "Open...", ctrl(letter('O')),
             "Opens a scene (*.yaml) or an EXR picture; files can be dropped, too.",
@@ -103,22 +100,6 @@ constexpr std::array command_table{
             "The same scene as a renderer without polarization would show it, minus this one.",
             [](Session& s) { s.open_unpolarized_twin(); }, is_rendering},
 
-    map_command<Quantity::color>({letter('1')}, "Color", "The picture as the eye sees it."),
-    map_command<Quantity::intensity>({letter('2')}, "Intensity", "S0 at one wavelength."),
-    map_command<Quantity::dop>({letter('3')}, "Degree of polarization", "DoP, from 0 (unpolarized) to 1."),
-    map_command<Quantity::ellipticity>({letter('4')}, "Ellipticity", "b/a, from 0 (linear) to 1 (circular)."),
-    map_command<Quantity::azimuth>({letter('5')}, "Azimuth", "Direction of the ellipse's long axis, modulo 180\u00b0."),
-    map_command<Quantity::handedness>({letter('6')}, "Handedness", "Right or left, in the shown convention."),
-    map_command<Quantity::s1>({letter('7')}, "S1", "Horizontal minus vertical."),
-    map_command<Quantity::s2>({letter('8')}, "S2", "+45\u00b0 minus \u221245\u00b0."),
-    map_command<Quantity::s3>({letter('9')}, "S3", "Right minus left circular, or as the shown convention has it."),
-    map_command<Quantity::residual>({letter('0')}, "Residual", "Share of the light that was not traced."),
-    map_command<Quantity::dolp>({letter('D')}, "Degree of linear polarization", "DoLP, from 0 to 1."),
-    map_command<Quantity::docp>(shift(letter('D')), "Degree of circular polarization", "DoCP, from 0 to 1."),
-    map_command<Quantity::dop_error>(shift(letter('3')), "Error of DoP", "How far DoP may be off."),
-    map_command<Quantity::ellipticity_error>(shift(letter('4')), "Error of ellipticity", "How far b/a may be off."),
-    map_command<Quantity::azimuth_error>(shift(letter('5')), "Error of azimuth", "How far the azimuth may be off."),
-    map_command<Quantity::unphysical>({letter('U')}, "Unphysical", "Pixels with DoP above 1, negative S0, NaN or Inf."),
     Command{"Map",
             "Next map",
             {Key::right},
@@ -346,22 +327,32 @@ constexpr std::array command_table{
             is_on<&WindowState::log_visible>},
 };
 
+template <Quantity quantity>
+Command map_command() {
+    const QuantityInfo& about = info(quantity);
+    return {"Map", about.title, chord_of(quantity),  about.definition, show_map<quantity>, nullptr,
+            {},    false,       shows_map<quantity>, quantity};
+}
+
 template <std::size_t... i>
-constexpr std::array<void (*)(Session&), sizeof...(i)> map_switches(std::index_sequence<i...> /*all*/) {
-    return {show_map<static_cast<Quantity>(i)>...};
+std::array<Command, sizeof...(i)> map_commands(std::index_sequence<i...> /*all*/) {
+    return {map_command<static_cast<Quantity>(i)>()...};
+}
+
+std::vector<Command> all_commands() {
+    std::vector<Command> all(command_table.begin(), command_table.end());
+    const auto maps = map_commands(std::make_index_sequence<quantity_count>());
+    const auto menu =
+        std::find_if(all.begin(), all.end(), [](const Command& command) { return command.group == "Map"; });
+    all.insert(menu, maps.begin(), maps.end());
+    return all;
 }
 
 }  // namespace
 
-KeyChord chord_of(Quantity quantity) {
-    const auto run = map_switches(std::make_index_sequence<quantity_count>())[static_cast<std::size_t>(quantity)];
-    const auto found = std::find_if(command_table.begin(), command_table.end(),
-                                    [run](const Command& command) { return command.run == run; });
-    return found == command_table.end() ? KeyChord{} : found->chord;
-}
-
 std::span<const Command> commands() {
-    return command_table;
+    static const std::vector<Command> all = all_commands();
+    return all;
 }
 
 }  // namespace pol

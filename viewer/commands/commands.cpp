@@ -5,6 +5,15 @@
 
 namespace pol {
 
+std::string help_of(const Command& command, const Session& session) {
+    return command.map ? session.view.convention.definition(*command.map) : std::string(command.help);
+}
+
+KeyChord chord_of(Quantity quantity) {
+    const MapKey& key = info(quantity).key;
+    return {letter(key.letter), false, key.shift};
+}
+
 const Command* command_for(const Session& session, const KeyChord& chord) {
     if (chord.key == Key::none) return nullptr;
     const auto all = commands();

@@ -2,7 +2,9 @@
 // Everything that a key, a menu entry or the help can name: one table.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "viewer/commands/keys.h"
@@ -14,16 +16,20 @@ struct Command {
     std::string_view group;  ///< name of the menu and heading in the help
     std::string_view title;  ///< as in the menu
     KeyChord chord;          ///< none: menu only
-    std::string_view help;   ///< one sentence for the help and the tooltip
+    std::string_view help;   ///< one sentence for the help and the tooltip; of a map as help_of() has it
     void (*run)(Session&);
     bool (*enabled)(const Session&) = nullptr;  ///< null: always
     KeyChord also{};                            ///< a second chord
     bool repeats = false;                       ///< while the key is held
     bool (*checked)(const Session&) = nullptr;  ///< null: no check mark in the menu
+    std::optional<Quantity> map{};              ///< the one that it shows
 };
 
-/// All commands, in the order of menus and help: rows of a group follow each other.
+/// All commands, in the order of menus and help: rows of a group follow each other. Maps are rows of quantities().
 std::span<const Command> commands();
+
+/// What it does: `help`, or what the map is in the shown convention.
+std::string help_of(const Command& command, const Session& session);
 
 /// The key that shows a map; none if it has none.
 KeyChord chord_of(Quantity quantity);

@@ -203,7 +203,8 @@ PageRow measure_row(std::string name, const QuantityReading& reading, std::strin
 
 /// Right, left or linear, where no light that is missing can make it another one.
 PageRow handedness_row(const QuantityReading& reading, int handedness, const Convention& convention) {
-    PageRow out{"handedness", std::string(state_text(reading.pixel.state)), {}, {}, "Clockwise for who looks: right"};
+    const QuantityInfo& about = info(Quantity::handedness);
+    PageRow out{std::string(about.row_name), std::string(state_text(reading.pixel.state)), {}, {}, about.in_a_frame};
     if (reading.pixel.state != PixelState::defined) return out;
     const bool has_bar = reading.bar && reading.bar->width() > reading.rounding;
     const bool may_be_other = has_bar && (handedness == 0 || (reading.bar->low <= 0.0 && reading.bar->high >= 0.0));
@@ -214,26 +215,29 @@ PageRow handedness_row(const QuantityReading& reading, int handedness, const Con
     return out;
 }
 
+/// Known as well as the handedness, which is the sine of twice this angle.
+PageRow ellipticity_angle_row(const PixelLight& light, const Measures<double>& m) {
+    QuantityReading chi = read_light(light, Quantity::handedness, 1.0);
+    chi.pixel.value = degrees(m.ellipticity_angle);
+    chi.rounding *= 90.0;
+    if (const auto bars = error_bars(light))
+        chi.bar = Interval<double>{degrees(bars->ellipticity_angle.low), degrees(bars->ellipticity_angle.high)};
+    return measure_row("ellipticity angle", chi, degree, "atan2(S3, |(S1, S2)|) / 2, sign of S3");
+}
+
+/// The maps of the polarization, the handedness as a word, and the angle that is no map.
 PageGroup measures_group(const PixelPage& page, const PixelLight& light, const Convention& convention) {
     const Measures<double>& m = page.measures;
     PageGroup group{"Measures", {}};
-    const auto read = [&](Quantity quantity) { return read_light(light, quantity, 1.0); };
-    const auto add = [&](const char* name, Quantity quantity, std::string_view help) {
-        group.rows.push_back(measure_row(name, read(quantity), info(quantity).unit, help));
-    };
-    add("DoP", Quantity::dop, info(Quantity::dop).definition);
-    add("DoLP", Quantity::dolp, info(Quantity::dolp).definition);
-    add("DoCP", Quantity::docp, info(Quantity::docp).definition);
-    add("ellipticity b/a", Quantity::ellipticity, info(Quantity::ellipticity).definition);
-    // Known as well as the handedness, which is the sine of twice this angle.
-    const auto bars = error_bars(light);
-    QuantityReading chi = read(Quantity::handedness);
-    chi.pixel.value = degrees(m.ellipticity_angle);
-    chi.rounding *= 90.0;
-    if (bars) chi.bar = Interval<double>{degrees(bars->ellipticity_angle.low), degrees(bars->ellipticity_angle.high)};
-    group.rows.push_back(measure_row("ellipticity angle", chi, degree, "atan2(S3, |(S1, S2)|) / 2, sign of S3"));
-    add("azimuth", Quantity::azimuth, "atan2(S2, S1) / 2: major axis of the ellipse, from x towards y");
-    group.rows.push_back(handedness_row(read(Quantity::handedness), m.handedness, convention));
+    for (const QuantityInfo& about : quantities()) {
+        if (about.group != MapGroup::polarization) continue;
+        const QuantityReading reading = read_light(light, about.quantity, 1.0);
+        const std::string_view help = about.in_a_frame.empty() ? about.definition : about.in_a_frame;
+        group.rows.push_back(about.quantity == Quantity::handedness
+                                 ? handedness_row(reading, m.handedness, convention)
+                                 : measure_row(std::string(about.row_name), reading, about.unit, help));
+        if (about.quantity == Quantity::ellipticity) group.rows.push_back(ellipticity_angle_row(light, m));
+    }
     return group;
 }
 

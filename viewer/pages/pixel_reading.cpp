@@ -8,7 +8,7 @@ namespace pol {
 
 QuantityReading PixelReading::quantity(Quantity quantity, std::size_t wavelength) const {
     const WavelengthReading& at = wavelengths[wavelength];
-    if (quantity == Quantity::intensity && !at.d65) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
+    if (info(quantity).is_over_d65 && !at.d65) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
     return read_light(at.light, quantity, at.d65.value_or(1.0));
 }
 

@@ -25,7 +25,8 @@ std::vector<const Command*> matches(const Session& session, std::string_view typ
     std::vector<const Command*> found;
     for (const Command& command : commands()) {
         if (!is_enabled(command, session)) continue;
-        if (contains_word(command.title, typed) || contains_word(command.help, typed)) found.push_back(&command);
+        if (contains_word(command.title, typed) || contains_word(help_of(command, session), typed))
+            found.push_back(&command);
     }
     std::stable_partition(found.begin(), found.end(),
                           [typed](const Command* command) { return contains_word(command->title, typed); });

@@ -88,15 +88,15 @@ std::vector<std::vector<Group>> in_columns(const std::vector<Group>& groups, std
     return columns;
 }
 
-void draw_column(const std::vector<Group>& column, bool last, int index, Theme theme) {
+void draw_column(const std::vector<Group>& column, bool last, int index, const Session& session) {
     if (!ImGui::BeginTable(("keys" + std::to_string(index)).c_str(), 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (const Group& group : column) {
-        heading(theme, group.name);
+        heading(session.window.theme, group.name);
         for (const Command* command : group.commands)
-            row(keys_of(*command), std::string(command->title), std::string(command->help));
+            row(keys_of(*command), std::string(command->title), help_of(*command, session));
     }
     if (last) {
-        heading(theme, "Mouse, on the picture");
+        heading(session.window.theme, "Mouse, on the picture");
         for (const MouseHelp& help : mouse_help) row(help.what, help.does, {});
     }
     ImGui::EndTable();
@@ -119,7 +119,7 @@ void draw_help_overlay(Session& session) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
             if (i > 0) ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
             ImGui::BeginGroup();
-            draw_column(columns[i], i + 1 == columns.size(), static_cast<int>(i), window.theme);
+            draw_column(columns[i], i + 1 == columns.size(), static_cast<int>(i), session);
             ImGui::EndGroup();
         }
         ImGui::TextDisabled("Esc closes this help. The arrow keys move the pin while a pixel is pinned.");

@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <string>
 
 #include "viewer/commands/commands.h"
@@ -13,25 +12,6 @@
 namespace pol {
 
 namespace {
-
-/// First map of each group; the others follow in the order of the enumeration.
-constexpr std::array group_begins{Quantity::dop, Quantity::s1, Quantity::residual};
-
-/// Short enough for the list; the tooltip has the definition.
-std::string list_title(const QuantityInfo& quantity) {
-    switch (quantity.quantity) {
-        case Quantity::dolp:
-            return "Linear degree, DoLP";
-        case Quantity::docp:
-            return "Circular degree, DoCP";
-        case Quantity::dop_error:
-            return "Error bar of DoP";
-        case Quantity::ellipticity_error:
-            return "Error bar of b/a";
-        default:
-            return std::string(quantity.title);
-    }
-}
 
 /// Which picture the others are compared with, and whether the difference is shown.
 void draw_comparison(Session& session) {
@@ -56,11 +36,11 @@ void draw_comparison(Session& session) {
 
 void MapsPanel::draw(Session& session) {
     const float key_column = ImGui::CalcTextSize("Shift+D").x;
+    MapGroup group = quantities().front().group;
     for (const QuantityInfo& quantity : quantities()) {
-        for (const Quantity begin : group_begins) {
-            if (begin == quantity.quantity) ImGui::Separator();
-        }
-        const std::string title = list_title(quantity);
+        if (quantity.group != group) ImGui::Separator();
+        group = quantity.group;
+        const std::string title(quantity.title_in_list());
         const KeyChord chord = chord_of(quantity.quantity);
         if (ImGui::Selectable(title.c_str(), session.view.quantity == quantity.quantity))
             session.show(quantity.quantity);

@@ -21,7 +21,7 @@ void draw_entry(Session& session, const Command& command) {
                         is_enabled(command, session)))
         command.run(session);
     name_widget("command " + std::string(command.title));
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(command.help).c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help_of(command, session).c_str());
 }
 
 void draw_open_recent(Session& session) {

@@ -74,7 +74,7 @@ void PicturePanel::draw(Session& session, Frame& frame) {
     handle_mouse(session, frame.viewport);
     overlay_.draw(session, frame.viewport);
     // Differences are no directions of the picture.
-    if (session.view.quantity == Quantity::azimuth && !session.comparison()) {
+    if (info(session.view.quantity).kind == ScaleKind::cyclic && !session.comparison()) {
         const DVec2 corner = frame.viewport.origin + frame.viewport.size;
         draw_azimuth_wheel(session, corner - DVec2(wheel_radius + 10.0), wheel_radius);
     }

@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/shown/convention.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 namespace pol {
+
+namespace {
+
+/// `text` with every `one` for an `other` and the other way round.
+std::string with_words_exchanged(std::string_view text, std::string_view one, std::string_view other) {
+    std::string out;
+    while (!text.empty()) {
+        const bool is_one = text.starts_with(one);
+        const bool is_other = !is_one && text.starts_with(other);
+        out += is_one ? other : is_other ? one : text.substr(0, 1);
+        text.remove_prefix(is_one ? one.size() : is_other ? other.size() : 1);
+    }
+    return out;
+}
+
+}  // namespace
 
 Stokes<double> Convention::stokes(const Stokes<double>& s) const {
     const bool mirrored = viewpoint == Viewpoint::source;
@@ -47,34 +61,23 @@ std::string Convention::stokes_text() const {
 }
 
 std::string Convention::definition(Quantity quantity) const {
-    const bool mirrored = viewpoint == Viewpoint::source;
-    switch (quantity) {
-        case Quantity::azimuth:
-            if (!mirrored) break;
-            return "atan2(S2, S1) / 2: direction of the major axis, 0 to the left, clockwise as the camera sees it: "
-                   "counter-clockwise for the source";
-        case Quantity::handedness:
-            return fmt::format("S3 / |(S1, S2, S3)|: -1 {} circular, 0 linear, 1 {} circular, as the {} sees it",
-                               handedness_name(-1), handedness_name(1), mirrored ? "source" : "receiver");
-        case Quantity::s2:
-            return std::string(info(quantity).definition) + (mirrored ? ", as the source sees it" : "");
-        case Quantity::s3:
-            return fmt::format("S3 / S0: 1 {} circular, -1 {} circular{}", handedness_name(1), handedness_name(-1),
-                               mirrored ? ", as the source sees it" : "");
-        default:
-            break;
-    }
-    return std::string(info(quantity).definition);
+    const QuantityInfo& about = info(quantity);
+    const bool mirrored = viewpoint == Viewpoint::source && !about.from_source.empty();
+    const std::string_view text = mirrored ? about.from_source : about.definition;
+    const bool is_renamed = positive_s3 == PositiveS3::left && !about.low_word.empty();
+    return is_renamed ? with_words_exchanged(text, about.low_word, about.high_word) : std::string(text);
 }
 
 ScaleWords Convention::scale_words(Quantity quantity, bool is_difference) const {
+    const QuantityInfo& about = info(quantity);
     ScaleWords words;
     if (!depends_on_convention(quantity)) return words;
     words.note = stokes_text();
     words.clockwise = viewpoint == Viewpoint::source;
-    if (is_difference || (quantity != Quantity::s3 && quantity != Quantity::handedness)) return words;
-    words.low = handedness_name(-1);
-    words.high = handedness_name(1);
+    if (is_difference) return words;
+    const bool is_renamed = positive_s3 == PositiveS3::left;
+    words.low = is_renamed ? about.high_word : about.low_word;
+    words.high = is_renamed ? about.low_word : about.high_word;
     return words;
 }
 
@@ -86,8 +89,7 @@ std::string Convention::state_name(const Stokes<double>& engine) const {
 }
 
 bool depends_on_convention(Quantity quantity) {
-    return quantity == Quantity::azimuth || quantity == Quantity::handedness || quantity == Quantity::s2 ||
-           quantity == Quantity::s3;
+    return !info(quantity).from_source.empty();
 }
 
 }  // namespace pol

@@ -63,7 +63,7 @@ struct Convention {
     friend bool operator==(const Convention&, const Convention&) = default;
 };
 
-/// True if values of this map change with the convention: azimuth, handedness, S2, S3.
+/// True if values of this map change with the convention, or their names.
 bool depends_on_convention(Quantity quantity);
 
 }  // namespace pol

@@ -21,12 +21,8 @@ std::optional<MeasureBounds<double>> stokes_bars(const PixelLight& light) {
 
 QuantityReading read_light(const PixelLight& light, Quantity quantity, double d65) {
     QuantityReading reading{evaluate_light(light, quantity, d65), error_bar(light, quantity, d65), 0.0};
-    if (quantity == Quantity::intensity)
-        reading.rounding = rounding_of(light) / d65;
-    else if (quantity == Quantity::azimuth || quantity == Quantity::azimuth_error)
-        reading.rounding = pixel_noise * 90.0;
-    else if (quantity != Quantity::residual && quantity != Quantity::unphysical)
-        reading.rounding = pixel_noise;
+    const QuantityInfo& about = info(quantity);
+    reading.rounding = about.is_over_d65 ? rounding_of(light) / d65 : pixel_noise * about.rounding_size;
     return reading;
 }
 
@@ -60,12 +56,12 @@ QuantityReading ShownQuantity::reading(std::size_t pixel) const {
 }
 
 QuantityReading ShownQuantity::read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
-    if (quantity_ == Quantity::intensity && !d65_) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
+    if (info(quantity_).is_over_d65 && !d65_) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
     return read_light(picture.light(wavelength, pixel), quantity_, d65_.value_or(1.0));
 }
 
 MapPixel ShownQuantity::value(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
-    if (quantity_ == Quantity::intensity && !d65_) return {0.0, 0.0, PixelState::undefined};
+    if (info(quantity_).is_over_d65 && !d65_) return {0.0, 0.0, PixelState::undefined};
     return evaluate_light(picture.light(wavelength, pixel), quantity_, d65_.value_or(1.0));
 }
 
