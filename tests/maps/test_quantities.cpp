@@ -86,16 +86,16 @@ TEST(Quantity, RowsSayWhatListsAndPagesNeed) {
         EXPECT_EQ(about.row_name.empty(), about.group != MapGroup::polarization);
         EXPECT_EQ(about.low_word.empty(), about.high_word.empty());
         EXPECT_TRUE(std::isnan(about.high) || about.low < about.high);
-        if (about.kind == ScaleKind::diverging) EXPECT_EQ(about.low, -about.high);
-        if (about.group == MapGroup::polarization && !about.from_source.empty())
-            EXPECT_FALSE(about.in_a_frame.empty()) << "its page may be in any convention";
+        EXPECT_TRUE(about.kind != ScaleKind::diverging || about.low == -about.high);
+        EXPECT_TRUE(about.row_name.empty() || about.from_source.empty() || !about.in_a_frame.empty())
+            << "its page may be in any convention";
     }
 }
 
 /// Light with all properties, of which a little was left out.
 PixelLight some_light() {
     PixelLight light;
-    light.stokes = {1.0, 0.4, -0.3, 0.5};
+    light.stokes = {1.0, 0.4, -0.3, -0.55};
     light.missing = 0.02;
     light.surplus = 0.005;
     light.residual = 0.015;
@@ -113,7 +113,7 @@ TEST(Quantity, EveryRowHasItsFormulaAndABarExactlyIfItSaysSo) {
         EXPECT_EQ(pixel.state, PixelState::defined);
         EXPECT_TRUE(values.insert(pixel.value).second) << "another map has the same value";
         EXPECT_GE(pixel.value, about.low);
-        if (!std::isnan(about.high)) EXPECT_LE(pixel.value, 1.2 * about.high);
+        EXPECT_TRUE(about.kind == ScaleKind::gray || !(pixel.value > about.high)) << pixel.value;
         const auto bar = error_bar(light, about.quantity, 0.9);
         ASSERT_EQ(bar.has_value(), about.has_bar);
         if (!bar) continue;
