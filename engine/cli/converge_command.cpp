@@ -103,20 +103,9 @@ Result<Done> write_report(const verify::ConvergenceRequest& work, const verify::
 
 /// The command line that makes the report again.
 std::string command_text(const ConvergeRequest& request) {
-    std::string text = "polariscope converge " + request.scene.scene + " -o " + request.folder;
-    const auto add = [&](const char* name, const auto& value) {
-        if (value) text += fmt::format(" {} {}", name, *value);
-    };
-    add("--size", request.scene.size);
-    add("--spp", request.scene.samples);
-    add("--mode", request.scene.mode);
-    add("--residual", request.scene.residual);
-    add("--depth", request.scene.depth);
-    add("--node-budget", request.scene.node_budget);
-    add("--wavelengths", request.scene.wavelengths);
-    add("--seed", request.scene.seed);
-    if (request.scene.unpolarized) text += " --unpolarized";
-    add("--threads", request.threads);
+    std::string text =
+        "polariscope converge " + request.scene.scene + " -o " + request.folder + given_text(request.scene);
+    if (request.threads) text += fmt::format(" --threads {}", *request.threads);
     if (!request.reference.empty()) text += " --reference " + request.reference;
     return text + fmt::format(" --seeds {}", request.seeds);
 }
@@ -143,7 +132,7 @@ int run(const ConvergeRequest& request) {
     verify::ConvergenceRequest work;
     work.load_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - loading).count();
     work.scene = std::move(scene).value();
-    if (!request.scene.size && request.reference.empty()) shrink(work.scene.render);
+    if (!request.scene.gives("size") && request.reference.empty()) shrink(work.scene.render);
     work.scene_name = std::filesystem::path(request.scene.scene).filename().string();
     work.folder = request.folder;
     if (!request.reference.empty()) work.reference = request.reference;

@@ -130,10 +130,10 @@ int run(const RenderRequest& request) {
     if (!loaded) return report(loaded.error());
     Scene scene = std::move(loaded).value();
     RenderSettings& settings = scene.render;
-    if (request.error && !request.scene.mode) settings.mode = SampleMode::area;
+    if (request.error && !request.scene.gives("mode")) settings.mode = SampleMode::area;
     // All samples of a point are the same ray.
     const bool open_ended =
-        (request.seconds || request.error) && !request.scene.samples && settings.mode == SampleMode::area;
+        (request.seconds || request.error) && !request.scene.gives("spp") && settings.mode == SampleMode::area;
     if (open_ended) settings.samples_per_pixel = 1 << 24;
     auto compiled = compile(scene);
     if (!compiled) return report(compiled.error());

@@ -7,10 +7,14 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
 
 #include "cli/messages.h"
+#include "core/overloaded.h"
 #include "io/files/output_file.h"
 #include "report/number_words.h"
+#include "scene/setting_table.h"
 
 namespace pol {
 
@@ -80,6 +84,27 @@ Json error_rule_json(const RenderRequest& request, const RenderOutcome& outcome)
             {"passes", passes}};
 }
 
+void add_setting(Json& out, const RenderSetting& setting, const RenderSettings& settings) {
+    Json value;
+    std::visit(Overloaded{
+                   [&](const SizeSetting& kind) {
+                       out["width"] = settings.*kind.width;
+                       out["height"] = settings.*kind.height;
+                   },
+                   [&](const WavelengthsSetting& kind) { value = settings.*kind.nm; },
+                   [&](const ChoiceSetting& kind) { value = kind.words[static_cast<std::size_t>(kind.get(settings))]; },
+                   [&](const NumberSetting& kind) { value = settings.*kind.value; },
+                   [&](const WholeSetting& kind) { value = settings.*kind.value; },
+                   [&](const LimitSetting& kind) {
+                       if (settings.*kind.value) value = *(settings.*kind.value);
+                   },
+                   [&](const SeedSetting& kind) { value = settings.*kind.value; },
+                   [&](const FlagSetting& kind) { value = settings.*kind.value; },
+               },
+               setting.kind);
+    if (!setting.statistic.empty()) out[std::string(setting.statistic)] = std::move(value);
+}
+
 }  // namespace
 
 void print_error_report(const ErrorReport& report) {
@@ -102,18 +127,11 @@ Result<Done> write_statistics(const RenderRequest& request, const Plan& plan, co
     out["threads"] = threads;
     out["scene"] = request.scene.scene;
     out["scene_hash"] = image.attributes.at("scene_hash");
-    out["width"] = plan.settings.width;
-    out["height"] = plan.settings.height;
-    out["mode"] = plan.settings.mode == SampleMode::area ? "area" : "point";
-    out["wavelengths_nm"] = plan.wavelengths_nm;
+    for (const RenderSetting& setting : render_settings()) add_setting(out, setting, plan.settings);
+    if (outcome.open_ended) out["spp_wanted"] = nullptr;
     out["trees_per_sample"] = plan.groups.size();
     out["spp"] = outcome.progress.film.fewest_samples;
     out["spp_mean"] = outcome.progress.film.mean_samples;
-    out["spp_wanted"] = outcome.open_ended ? Json(nullptr) : Json(plan.settings.samples_per_pixel);
-    out["residual_target"] = plan.settings.residual;
-    out["depth_limit"] = plan.settings.depth ? Json(*plan.settings.depth) : Json(nullptr);
-    out["seed"] = plan.settings.seed;
-    out["unpolarized"] = plan.settings.unpolarized;
     out["t_load_s"] = timing.load_s;
     out["t_render_wall_s"] = outcome.seconds;
     out["t_render_cpu_s"] = timing.render_cpu_s;

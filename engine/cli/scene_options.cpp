@@ -2,16 +2,20 @@
 #include "cli/scene_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <string_view>
+#include <optional>
 
 #include "cli/messages.h"
+#include "core/contract.h"
+#include "core/overloaded.h"
 #include "io/scenes/scene_file.h"
 #include "plan/compile.h"
 #include "scene/check.h"
+#include "scene/setting_table.h"
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {
@@ -26,99 +30,138 @@ std::string seed_problem(const std::string& text) {
     return fmt::format("'{}' is no whole number from 0 to 2^64 - 1", text);
 }
 
+template <class Value>
+CLI::Option* add_setting(CLI::App& command, const RenderSetting& setting, SceneOptions& options) {
+    return command.add_option_function<Value>(
+        option_name(setting), [&options, key = setting.key](const Value& value) { options.given[key] = value; },
+        std::string(setting.help));
+}
+
+std::optional<Error> usage(const RenderSetting& setting, std::string what, std::string hint) {
+    return Error{ErrorKind::usage, std::move(what), {}, option_name(setting), std::move(hint)};
+}
+
+bool parse_size(std::string_view text, int& width, int& height) {
+    const auto parse = [](std::string_view part, int& value) {
+        const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
+        return status == std::errc() && end == part.data() + part.size();
+    };
+    const std::size_t by = text.find('x');
+    return by != std::string_view::npos && parse(text.substr(0, by), width) && parse(text.substr(by + 1), height);
+}
+
+/// Puts the value in place, or says why there is no such value.
+std::optional<Error> set(const RenderSetting& setting, const GivenSetting& given, RenderSettings& settings) {
+    using Problem = std::optional<Error>;
+    const Problem none;
+    return std::visit(Overloaded{
+                          [&](const SizeSetting& kind) -> Problem {
+                              const auto& text = std::get<std::string>(given);
+                              if (parse_size(text, settings.*kind.width, settings.*kind.height)) return none;
+                              return usage(setting, fmt::format("'{}' is no picture size", text),
+                                           "two numbers from 1 to 65536, for example 800x600");
+                          },
+                          [&](const WavelengthsSetting& kind) -> Problem {
+                              auto wavelengths = parse_wavelengths(std::get<std::string>(given));
+                              if (!wavelengths)
+                                  return usage(setting, wavelengths.error().what, wavelengths.error().hint);
+                              settings.*kind.nm = std::move(wavelengths).value();
+                              return none;
+                          },
+                          [&](const ChoiceSetting& kind) -> Problem {
+                              const auto& word = std::get<std::string>(given);
+                              const auto found = std::find(kind.words.begin(), kind.words.end(), word);
+                              if (found == kind.words.end())
+                                  return usage(setting, fmt::format("there is no {} '{}'", setting.key, word),
+                                               fmt::format("{}", fmt::join(kind.words, " or ")));
+                              kind.set(settings, static_cast<int>(found - kind.words.begin()));
+                              return none;
+                          },
+                          [&](const NumberSetting& kind) -> Problem {
+                              settings.*kind.value = std::get<double>(given);
+                              return none;
+                          },
+                          [&](const WholeSetting& kind) -> Problem {
+                              settings.*kind.value = std::get<int>(given);
+                              return none;
+                          },
+                          [&](const LimitSetting& kind) -> Problem {
+                              (settings.*kind.impose)(std::get<int>(given));
+                              return none;
+                          },
+                          [&](const SeedSetting& kind) -> Problem {
+                              settings.*kind.value = std::get<std::uint64_t>(given);
+                              return none;
+                          },
+                          [&](const FlagSetting& kind) -> Problem {
+                              settings.*kind.value = std::get<bool>(given);
+                              return none;
+                          },
+                      },
+                      setting.kind);
+}
+
 }  // namespace
+
+bool SceneOptions::gives(std::string_view key) const {
+    const auto& rows = render_settings();
+    POL_EXPECTS(std::any_of(rows.begin(), rows.end(), [&](const RenderSetting& row) { return row.key == key; }));
+    return given.count(key) > 0;
+}
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
     command.add_option("SCENE", options.scene, "Scene file (YAML, see assets/scenes/README.md)")
         ->type_name("NAME.yaml")
         ->required();
-    command.add_option("--size", options.size, "Picture size in pixels, for example 800x600")->type_name("WxH");
-    command.add_option("--spp", options.samples, "Samples per pixel");
-    command
-        .add_option("--mode", options.mode,
-                    "point: one ray through the pixel centre; area: quasi-random over the pixel")
-        ->type_name("point|area");
-    command.add_option("--residual", options.residual,
-                       "Largest share of a pixel that may stay untraced, for example 1e-3");
-    command.add_option("--depth", options.depth,
-                       "Cut the tree after this many interfaces (the paper: 9) instead of by energy");
-    command.add_option("--node-budget", options.node_budget,
-                       "Branches to follow before one random path stands for the rest");
-    command.add_option("--wavelengths", options.wavelengths,
-                       "Vacuum wavelengths in nm: 580, 450,550,650 or 380:780:20");
-    command.add_option("--seed", options.seed, "Seed of the random numbers")->check(seed_problem);
-    command.add_flag("--unpolarized", options.unpolarized,
-                     "Forget polarization at every surface: what a renderer without it would show");
+    for (const RenderSetting& setting : render_settings()) {
+        std::visit(Overloaded{
+                       [&](const SizeSetting& /*kind*/) {
+                           add_setting<std::string>(command, setting, options)->type_name("WxH");
+                       },
+                       [&](const WavelengthsSetting& /*kind*/) { add_setting<std::string>(command, setting, options); },
+                       [&](const ChoiceSetting& kind) {
+                           add_setting<std::string>(command, setting, options)
+                               ->type_name(fmt::format("{}", fmt::join(kind.words, "|")));
+                       },
+                       [&](const NumberSetting& /*kind*/) { add_setting<double>(command, setting, options); },
+                       [&](const WholeSetting& /*kind*/) { add_setting<int>(command, setting, options); },
+                       [&](const LimitSetting& /*kind*/) { add_setting<int>(command, setting, options); },
+                       [&](const SeedSetting& /*kind*/) {
+                           add_setting<std::uint64_t>(command, setting, options)->check(seed_problem);
+                       },
+                       [&](const FlagSetting& /*kind*/) {
+                           command.add_flag_callback(
+                               option_name(setting), [&options, key = setting.key] { options.given[key] = true; },
+                               std::string(setting.help));
+                       },
+                   },
+                   setting.kind);
+    }
 }
 
-namespace {
-
-Error usage(const char* field, std::string what, std::string hint) {
-    return {ErrorKind::usage, std::move(what), {}, field, std::move(hint)};
+std::string given_text(const SceneOptions& options) {
+    std::string text;
+    for (const RenderSetting& setting : render_settings()) {
+        const auto found = options.given.find(setting.key);
+        if (found == options.given.end()) continue;
+        text += " " + option_name(setting);
+        std::visit(Overloaded{[](bool /*is_there*/) {}, [&](const auto& value) { text += fmt::format(" {}", value); }},
+                   found->second);
+    }
+    return text;
 }
-
-Result<Done> set_size(std::string_view text, RenderSettings& settings) {
-    constexpr int largest_side = 65536;
-    const std::size_t by = text.find('x');
-    const auto parse = [](std::string_view part, int& value) {
-        const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
-        return status == std::errc() && end == part.data() + part.size() && value > 0 && value <= largest_side;
-    };
-    if (by == std::string_view::npos || !parse(text.substr(0, by), settings.width) ||
-        !parse(text.substr(by + 1), settings.height))
-        return usage("--size", fmt::format("'{}' is no picture size", text),
-                     "two numbers from 1 to 65536, for example 800x600");
-    return Done{};
-}
-
-/// Two gigapixels would already need 100 GB.
-constexpr std::int64_t most_pixels = std::int64_t{1} << 31U;
-
-}  // namespace
 
 Result<Scene> load_scene_with(const SceneOptions& options) {
     auto loaded = load_scene(options.scene);
     if (!loaded) return loaded.error();
     Scene scene = std::move(loaded).value();
-    RenderSettings& settings = scene.render;
-    if (options.size) {
-        if (auto done = set_size(*options.size, settings); !done) return done.error();
+    for (const RenderSetting* setting : settings_in_order_of_effect()) {
+        const auto found = options.given.find(setting->key);
+        if (found == options.given.end()) continue;
+        if (auto problem = set(*setting, found->second, scene.render)) return *problem;
+        if (auto problem = setting_problem(*setting, scene.render))
+            return *usage(*setting, std::move(problem->what), std::move(problem->hint));
     }
-    if (std::int64_t{settings.width} * settings.height > most_pixels)
-        return usage("--size", fmt::format("{}x{} is more than 2^31 pixels", settings.width, settings.height),
-                     "choose a smaller picture");
-    if (options.samples) {
-        if (*options.samples < 1)
-            return usage("--spp", fmt::format("{} samples make no picture", *options.samples), "at least 1");
-        settings.samples_per_pixel = *options.samples;
-    }
-    if (options.mode) {
-        if (*options.mode != "point" && *options.mode != "area")
-            return usage("--mode", fmt::format("there is no mode '{}'", *options.mode), "point or area");
-        settings.mode = *options.mode == "area" ? SampleMode::area : SampleMode::point;
-    }
-    if (options.depth) {
-        if (*options.depth < 0) return usage("--depth", fmt::format("{} is no depth", *options.depth), "0 or more");
-        settings.cut_by_depth_alone(*options.depth);
-    }
-    if (options.residual) {
-        if (!(*options.residual >= 0.0) || *options.residual > 1.0)
-            return usage("--residual", fmt::format("{} is no share of a pixel", *options.residual),
-                         "0 to 1, for example 1e-3");
-        settings.residual = *options.residual;
-    }
-    if (options.node_budget) {
-        if (*options.node_budget < 1)
-            return usage("--node-budget", fmt::format("{} branches make no tree", *options.node_budget), "at least 1");
-        settings.node_budget = *options.node_budget;
-    }
-    if (options.wavelengths) {
-        auto wavelengths = parse_wavelengths(*options.wavelengths);
-        if (!wavelengths) return usage("--wavelengths", wavelengths.error().what, wavelengths.error().hint);
-        settings.wavelengths_nm = std::move(wavelengths).value();
-    }
-    if (options.seed) settings.seed = *options.seed;
-    if (options.unpolarized) settings.unpolarized = true;
     // New wavelengths may lie outside an index record: who asks for this scene may make a folder for it next.
     if (auto problem = first_problem(scene)) return *problem;
     for (const std::string& unknown : unknown_extinctions(scene)) remark("polariscope: " + printable(unknown) + "\n");

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 
 #include "core/result.h"
 #include "plan/plan.h"
@@ -17,21 +19,22 @@ class App;
 
 namespace pol {
 
+/// What the command line says of a setting; a flag that is there is true.
+using GivenSetting = std::variant<bool, int, double, std::uint64_t, std::string>;
+
 struct SceneOptions {
     std::string scene;
-    std::optional<std::string> size;  ///< "WxH"
-    std::optional<int> samples;
-    std::optional<std::string> mode;
-    std::optional<double> residual;
-    std::optional<int> depth;
-    std::optional<int> node_budget;
-    std::optional<std::string> wavelengths;
-    std::optional<std::uint64_t> seed;
-    bool unpolarized = false;
+    std::map<std::string_view, GivenSetting> given;  ///< by the keys of scene/setting_table.h
+
+    /// Requires: there is a setting with that key.
+    [[nodiscard]] bool gives(std::string_view key) const;
 };
 
-/// Adds the scene argument and the options above.
+/// Adds the scene argument and an option for each setting.
 void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// The options that are given, as they would be written again: " --mode area --spp 4".
+std::string given_text(const SceneOptions& options);
 
 /// The scene with the options in place of its own settings. With a depth limit and no residual, the depth alone cuts
 /// the tree, as in the paper.

@@ -8,8 +8,8 @@
 
 #include "core/units.h"
 #include "scene/check_rules.h"
+#include "scene/setting_table.h"
 #include "spectrum/illuminant.h"
-#include "spectrum/wavelength_grid.h"
 
 namespace pol {
 namespace {
@@ -37,25 +37,11 @@ void check_camera(SceneCheck& check) {
 }
 
 void check_render(SceneCheck& check) {
-    const RenderSettings& render = check.scene().render;
     check.about({});
-    const bool sides = render.width >= 1 && render.height >= 1 && render.width <= max_picture_side &&
-                       render.height <= max_picture_side;
-    check.require(sides, "render.size", "each side must have 1 to 65536 pixels", "for example [512, 512]");
-    check.require(static_cast<double>(render.width) * static_cast<double>(render.height) <= max_picture_pixels,
-                  "render.size", "the picture has more than 2^31 pixels", "for example [512, 512]");
-    const Result<std::vector<double>> wavelengths = checked_wavelengths(render.wavelengths_nm);
-    if (!wavelengths) {
-        check.require(false, "render.wavelengths", wavelengths.error().what, wavelengths.error().hint);
+    for (const RenderSetting& setting : render_settings()) {
+        const auto problem = setting_problem(setting, check.scene().render);
+        if (problem) check.require(false, "render." + std::string(setting.key), problem->what, problem->hint);
     }
-    check.require(render.samples_per_pixel >= 1 && render.samples_per_pixel <= 1 << 24, "render.spp",
-                  "must lie between 1 and 16777216", "1 to 64 is usual");
-    check.require(render.residual >= 0.0 && render.residual <= 1.0, "render.residual", "must lie between 0 and 1",
-                  "1e-3 means that at most 0.1 % of a pixel stays untraced");
-    check.require(!render.depth || (*render.depth >= 0 && *render.depth <= 1000000), "render.depth",
-                  "must lie between 0 and 1000000", "the paper used 9; leave it out to cut by energy alone");
-    check.require(render.node_budget >= 1 && render.node_budget <= 1 << 30, "render.node_budget",
-                  "must lie between 1 and 1073741824", "leave it out for the default, 131072");
 }
 
 void check_surroundings(SceneCheck& check) {

@@ -12,8 +12,9 @@ from program import CASES, REPOSITORY, SCENES, ProgramTest, main
 
 GLASS = SCENES / "cube-glass.yaml"
 CALCITE = SCENES / "cube-calcite.yaml"
-STATISTICS = """tool tool_version kernel_features precision threads scene scene_hash width height mode wavelengths_nm
-    trees_per_sample spp spp_mean spp_wanted residual_target depth_limit seed unpolarized t_load_s t_render_wall_s t_render_cpu_s t_output_s
+STATISTICS = """tool tool_version kernel_features precision threads scene scene_hash width height wavelengths_nm mode
+    spp_wanted residual_target depth_limit node_budget seed unpolarized trees_per_sample spp spp_mean t_load_s t_render_wall_s
+    t_render_cpu_s t_output_s
     camera_samples rays nodes_mean nodes_max residual_mean residual_max tail_mean brightest energy_defect_max failures
     film_bytes_per_pixel error stop_reason""".split()
 

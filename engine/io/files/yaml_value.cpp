@@ -116,6 +116,10 @@ const std::string& YamlValue::plain(const char* expected) const {
 }
 
 YamlMap YamlValue::map(std::initializer_list<std::string_view> known) const {
+    return map(words(known));
+}
+
+YamlMap YamlValue::map(const std::vector<std::string_view>& known) const {
     YamlMap result(*this);
     for (const Pair& pair : pairs()) {
         bool is_known = false;
@@ -123,7 +127,7 @@ YamlMap YamlValue::map(std::initializer_list<std::string_view> known) const {
         if (!is_known) {
             // The key, not its value: an unknown word is best pointed at itself.
             complain(pair.place, child_path(path_, pair.key), "unknown key '" + shortened(pair.key) + "'",
-                     did_you_mean(pair.key, words(known)));
+                     did_you_mean(pair.key, known));
         }
         result.values_.emplace(pair.key, YamlValue(pair.value, *file_, child_path(path_, pair.key)));
     }
@@ -206,12 +210,15 @@ std::string YamlValue::text() const {
 }
 
 std::string YamlValue::choice(std::initializer_list<std::string_view> known) const {
-    if (!node_.IsScalar()) fail("found " + kind() + ", expected " + one_of(words(known)), "write one of these words");
+    return std::string(known.begin()[choice_of(words(known))]);
+}
+
+int YamlValue::choice_of(const std::vector<std::string_view>& known) const {
+    if (!node_.IsScalar()) fail("found " + kind() + ", expected " + one_of(known), "write one of these words");
     const std::string word = node_.Scalar();
-    for (const std::string_view candidate : known) {
-        if (word == candidate) return word;
-    }
-    fail("unknown word " + quoted(word), did_you_mean(word, words(known)));
+    const auto found = std::find(known.begin(), known.end(), word);
+    if (found == known.end()) fail("unknown word " + quoted(word), did_you_mean(word, known));
+    return static_cast<int>(found - known.begin());
 }
 
 bool YamlValue::truth() const {

@@ -57,6 +57,7 @@ public:
     // Each of these throws YamlComplaint if the value is something else.
     /// A map of which only `known` keys may occur, each once. Here and in entries(), merge keys (<<) are followed: keys
     /// of the map itself win, then those of the first merged map.
+    [[nodiscard]] YamlMap map(const std::vector<std::string_view>& known) const;
     [[nodiscard]] YamlMap map(std::initializer_list<std::string_view> known) const;
     /// A map whose keys are names the user chose, each once, in the order of the file.
     [[nodiscard]] std::vector<std::pair<std::string, YamlValue>> entries() const;
@@ -66,6 +67,8 @@ public:
     [[nodiscard]] std::vector<YamlValue> list(std::size_t first = 0) const;
     [[nodiscard]] std::string text() const;
     [[nodiscard]] std::string choice(std::initializer_list<std::string_view> known) const;
+    /// The place of the word in `known`, counted from 0.
+    [[nodiscard]] int choice_of(const std::vector<std::string_view>& known) const;
     [[nodiscard]] bool truth() const;
     /// Finite number.
     [[nodiscard]] double number() const;

@@ -3,19 +3,45 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
+#include "core/overloaded.h"
 #include "io/scenes/scene_hash.h"
+#include "scene/setting_table.h"
 
 namespace pol {
 
+namespace {
+
+/// "spp=16"; empty: the picture says so itself, or there is nothing to say.
+std::string attribute_text(const RenderSetting& setting, const RenderSettings& s) {
+    const auto with_key = [&](const auto& value) { return fmt::format("{}={}", setting.key, value); };
+    return std::visit(
+        Overloaded{
+            [](const SizeSetting& /*kind*/) { return std::string(); },
+            [](const WavelengthsSetting& /*kind*/) { return std::string(); },
+            [&](const ChoiceSetting& kind) { return with_key(kind.words[static_cast<std::size_t>(kind.get(s))]); },
+            [&](const NumberSetting& kind) { return with_key(s.*kind.value); },
+            [&](const WholeSetting& kind) { return with_key(s.*kind.value); },
+            [&](const LimitSetting& kind) { return s.*kind.value ? with_key(*(s.*kind.value)) : with_key("none"); },
+            [&](const SeedSetting& kind) { return with_key(s.*kind.value); },
+            [&](const FlagSetting& kind) { return std::string(s.*kind.value ? setting.key : ""); },
+        },
+        setting.kind);
+}
+
+}  // namespace
+
 std::map<std::string, std::string> picture_attributes(const Scene& scene, int samples_per_pixel,
                                                       const std::filesystem::path& file) {
-    const RenderSettings& s = scene.render;
-    return {{"scene", file.filename().string()},
-            {"scene_hash", scene_hash(scene)},
-            {"settings", fmt::format("mode={} spp={} residual={} depth={} node_budget={} seed={}{}",
-                                     s.mode == SampleMode::area ? "area" : "point", samples_per_pixel, s.residual,
-                                     s.depth ? std::to_string(*s.depth) : "none", s.node_budget, s.seed,
-                                     s.unpolarized ? " unpolarized" : "")}};
+    RenderSettings made = scene.render;
+    made.samples_per_pixel = samples_per_pixel;
+    std::string settings;
+    for (const RenderSetting& setting : render_settings()) {
+        const std::string text = attribute_text(setting, made);
+        if (!text.empty()) settings.append(settings.empty() ? "" : " ").append(text);
+    }
+    return {{"scene", file.filename().string()}, {"scene_hash", scene_hash(scene)}, {"settings", settings}};
 }
 
 }  // namespace pol

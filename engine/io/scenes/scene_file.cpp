@@ -5,15 +5,19 @@
 #include <cstddef>
 #include <exception>
 #include <map>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "core/overloaded.h"
 #include "io/files/assets.h"
 #include "io/files/input_file.h"
 #include "io/files/yaml_value.h"
 #include "io/scenes/scene_reader.h"
 #include "scene/check.h"
+#include "scene/setting_table.h"
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {
@@ -64,26 +68,35 @@ std::vector<double> read_wavelengths(const YamlValue& value) {
     return std::move(grid).value();
 }
 
+void read_size(const SizeSetting& kind, const YamlValue& value, RenderSettings& render) {
+    const std::vector<YamlValue> sides = value.list();
+    if (sides.size() != 2) value.fail("expected two whole numbers", "write [width, height] in pixels");
+    render.*kind.width = sides[0].whole();
+    render.*kind.height = sides[1].whole();
+}
+
+void read_setting(const RenderSetting& setting, const YamlValue& value, RenderSettings& render) {
+    std::visit(Overloaded{
+                   [&](const SizeSetting& kind) { read_size(kind, value, render); },
+                   [&](const WavelengthsSetting& kind) { render.*kind.nm = read_wavelengths(value); },
+                   [&](const ChoiceSetting& kind) { kind.set(render, value.choice_of(kind.words)); },
+                   [&](const NumberSetting& kind) { render.*kind.value = value.number(); },
+                   [&](const WholeSetting& kind) { render.*kind.value = value.whole(); },
+                   [&](const LimitSetting& kind) { (render.*kind.impose)(value.whole()); },
+                   [&](const SeedSetting& kind) { render.*kind.value = value.natural64(); },
+                   [&](const FlagSetting& kind) { render.*kind.value = value.truth(); },
+               },
+               setting.kind);
+}
+
 RenderSettings read_render(const YamlValue& value) {
-    const YamlMap map =
-        value.map({"size", "wavelengths", "mode", "spp", "residual", "depth", "node_budget", "seed", "unpolarized"});
+    std::vector<std::string_view> keys;
+    for (const RenderSetting& setting : render_settings()) keys.push_back(setting.key);
+    const YamlMap map = value.map(keys);
     RenderSettings render;
-    if (const auto size = map.find("size")) {
-        const std::vector<YamlValue> sides = size->list();
-        if (sides.size() != 2) size->fail("expected two whole numbers", "write [width, height] in pixels");
-        render.width = sides[0].whole();
-        render.height = sides[1].whole();
+    for (const RenderSetting* setting : settings_in_order_of_effect()) {
+        if (const auto found = map.find(std::string(setting->key))) read_setting(*setting, *found, render);
     }
-    if (const auto wavelengths = map.find("wavelengths")) render.wavelengths_nm = read_wavelengths(*wavelengths);
-    if (const auto mode = map.find("mode")) {
-        render.mode = mode->choice({"point", "area"}) == "area" ? SampleMode::area : SampleMode::point;
-    }
-    if (const auto spp = map.find("spp")) render.samples_per_pixel = spp->whole();
-    if (const auto depth = map.find("depth")) render.cut_by_depth_alone(depth->whole());
-    if (const auto residual = map.find("residual")) render.residual = residual->number();
-    if (const auto budget = map.find("node_budget")) render.node_budget = budget->whole();
-    if (const auto seed = map.find("seed")) render.seed = seed->natural64();
-    if (const auto unpolarized = map.find("unpolarized")) render.unpolarized = unpolarized->truth();
     return render;
 }
 

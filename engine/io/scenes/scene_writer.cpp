@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -14,6 +15,7 @@
 #include "io/files/assets.h"
 #include "io/scenes/index_file.h"
 #include "io/scenes/scene_file.h"
+#include "scene/setting_table.h"
 
 namespace pol {
 namespace {
@@ -249,17 +251,35 @@ std::string camera_text(const Camera& camera) {
            "\n";
 }
 
+/// Empty: it is not written, which means the same.
+std::string setting_text(const RenderSetting& setting, const RenderSettings& render) {
+    return std::visit(Overloaded{
+                          [&](const SizeSetting& kind) {
+                              return "[" + std::to_string(render.*kind.width) + ", " +
+                                     std::to_string(render.*kind.height) + "]";
+                          },
+                          [&](const WavelengthsSetting& kind) { return list_text(render.*kind.nm); },
+                          [&](const ChoiceSetting& kind) {
+                              return std::string(kind.words[static_cast<std::size_t>(kind.get(render))]);
+                          },
+                          [&](const NumberSetting& kind) { return number_text(render.*kind.value); },
+                          [&](const WholeSetting& kind) { return std::to_string(render.*kind.value); },
+                          [&](const LimitSetting& kind) {
+                              const std::optional<int>& limit = render.*kind.value;
+                              return limit ? std::to_string(*limit) : std::string();
+                          },
+                          [&](const SeedSetting& kind) { return std::to_string(render.*kind.value); },
+                          [&](const FlagSetting& kind) { return std::string(render.*kind.value ? "on" : ""); },
+                      },
+                      setting.kind);
+}
+
 std::string render_text(const RenderSettings& render) {
-    std::string text =
-        "render:\n  size: [" + std::to_string(render.width) + ", " + std::to_string(render.height) + "]\n";
-    text += "  wavelengths: " + list_text(render.wavelengths_nm) + "\n";
-    text += std::string("  mode: ") + (render.mode == SampleMode::area ? "area" : "point") + "\n";
-    text += "  spp: " + std::to_string(render.samples_per_pixel) + "\n";
-    text += "  residual: " + number_text(render.residual) + "\n";
-    if (render.depth) text += "  depth: " + std::to_string(*render.depth) + "\n";
-    text += "  node_budget: " + std::to_string(render.node_budget) + "\n";
-    text += "  seed: " + std::to_string(render.seed) + "\n";
-    if (render.unpolarized) text += "  unpolarized: on\n";
+    std::string text = "render:\n";
+    for (const RenderSetting& setting : render_settings()) {
+        const std::string value = setting_text(setting, render);
+        if (!value.empty()) text.append("  ").append(setting.key).append(": ").append(value).append("\n");
+    }
     return text;
 }
 
