@@ -90,10 +90,17 @@ Result<int> MediaTable::entry(const std::string& name, const DMat4& to_world) {
     const auto found =
         std::find_if(scene_.media.begin(), scene_.media.end(), [&](const Medium& m) { return m.name == name; });
     if (found == scene_.media.end()) return Error{ErrorKind::input, "unknown medium '" + name + "'", {}, "medium", {}};
-    DVec3 axis{0.0, 0.0, 1.0};
-    if (const auto* crystal = std::get_if<UniaxialMedium>(&found->matter))
-        axis = crystal->axis_space == AxisSpace::object ? direction_to_world(to_world, crystal->axis)
-                                                        : unit(crystal->axis);
+    const DVec3 any_axis{0.0, 0.0, 1.0};
+    const DVec3 axis = std::visit(Overloaded{
+                                      [&](const IsotropicMedium&) { return any_axis; },
+                                      [&](const UniaxialMedium& crystal) {
+                                          return crystal.axis_space == AxisSpace::object
+                                                     ? direction_to_world(to_world, crystal.axis)
+                                                     : unit(crystal.axis);
+                                      },
+                                      [&](const ConductorMedium&) { return any_axis; },
+                                  },
+                                  found->matter);
     for (std::size_t i = 0; i < entries_.size(); ++i)
         if (entries_[i].medium.name == name && entries_[i].axis_world == axis) return static_cast<int>(i);
     entries_.push_back({*found, axis});

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "core/overloaded.h"
 #include "core/units.h"
 #include "scene/check_rules.h"
 #include "scene/setting_table.h"
@@ -52,7 +54,7 @@ void check_surroundings(SceneCheck& check) {
     if (!scene.ambient.empty()) {
         require_medium(check, scene.ambient, "ambient");
         const Medium* ambient = find_medium(scene, scene.ambient);
-        check.require(ambient == nullptr || std::holds_alternative<IsotropicMedium>(ambient->matter), "ambient",
+        check.require(ambient == nullptr || is_isotropic(ambient->matter), "ambient",
                       "the camera must stand in an isotropic medium", "use a medium with a single real index");
     }
     check.about(scene.background.place);
@@ -67,11 +69,9 @@ void check_spectrum(SceneCheck& check, const Spectrum& spectrum, const std::vect
         check.require(std::isfinite(value) && value >= 0.0, field, "must not be negative", "write 0 or more");
         check.require(!(value > 1e100), field, "is absurdly large", "write less than 1e100");
     };
-    if (const auto* constant = std::get_if<ConstantSpectrum>(&spectrum)) require_value(constant->value);
-    if (const auto* d65 = std::get_if<D65Spectrum>(&spectrum)) require_value(d65->scale);
-    if (const auto* table = std::get_if<TabulatedSpectrum>(&spectrum)) {
-        const std::vector<double>& nodes = table->wavelength_nm;
-        check.require(!nodes.empty() && nodes.size() == table->value.size(), field, "the table is empty",
+    const auto require_table = [&](const TabulatedSpectrum& table) {
+        const std::vector<double>& nodes = table.wavelength_nm;
+        check.require(!nodes.empty() && nodes.size() == table.value.size(), field, "the table is empty",
                       "write [[400, 0.2], [700, 0.9]]");
         for (const double nm : nodes) {
             check.require(std::isfinite(nm) && nm > 0.0, field, "a wavelength is not positive",
@@ -79,8 +79,11 @@ void check_spectrum(SceneCheck& check, const Spectrum& spectrum, const std::vect
         }
         check.require(std::is_sorted(nodes.begin(), nodes.end(), std::less_equal<>()), field, "wavelengths must ascend",
                       "sort the rows and leave out repeated ones");
-        for (const double value : table->value) require_value(value);
-    }
+        for (const double value : table.value) require_value(value);
+    };
+    std::visit(Overloaded{[&](const ConstantSpectrum& constant) { require_value(constant.value); },
+                          [&](const D65Spectrum& d65) { require_value(d65.scale); }, require_table},
+               spectrum);
     if (check.failed()) return;
     for (const double nm : wavelengths_nm) {
         const Result<double> value = evaluate(spectrum, nm);

@@ -5,11 +5,13 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "core/nearest_word.h"
 #include "core/number_text.h"
 #include "core/overloaded.h"
 #include "scene/check_rules.h"
+#include "scene/medium_fields.h"
 #include "spectrum/refractive_index.h"
 
 namespace pol {
@@ -25,12 +27,11 @@ void check_value(SceneCheck& check, const ComplexIndex& index, const std::string
                   "n + i k with k >= 0 absorbs");
 }
 
-/// A metal is nothing without its k; in other matter a k that is not known counts as 0 (unknown_extinctions).
-enum class Extinction { needed, welcome };
-
 void check_index(SceneCheck& check, const RefractiveIndex& index, bool in_use, const std::string& field,
-                 Extinction extinction = Extinction::welcome) {
-    if (const auto* constant = std::get_if<ConstantIndex>(&index)) check_value(check, constant->value, field);
+                 Extinction extinction) {
+    std::visit(Overloaded{[&](const ConstantIndex& constant) { check_value(check, constant.value, field); },
+                          [](const DispersiveIndex&) {}},
+               index);
     if (!in_use) return;
     for (const double nm : check.scene().render.wavelengths_nm) {
         const Result<ComplexIndex> value = index_at(index, nm);
@@ -48,10 +49,15 @@ void check_index(SceneCheck& check, const RefractiveIndex& index, bool in_use, c
 std::set<std::string> media_in_use(const Scene& scene) {
     std::set<std::string> names{scene.ambient};
     for (const Object& object : scene.objects) {
-        if (const auto* filled = std::get_if<FilledWith>(&object.role)) names.insert(filled->medium);
-        if (const auto* emission = std::get_if<Emission>(&object.role)) {
-            if (const auto* plate = std::get_if<CrystalPlateState>(&emission->state)) names.insert(plate->medium);
-        }
+        std::visit(Overloaded{[&](const FilledWith& filled) { names.insert(filled.medium); },
+                              [&](const Emission& emission) {
+                                  std::visit(
+                                      Overloaded{[](const Unpolarized&) {}, [](const FixedState&) {},
+                                                 [&](const CrystalPlateState& plate) { names.insert(plate.medium); }},
+                                      emission.state);
+                              },
+                              [](const Sheet&) {}, [](const Absorber&) {}},
+                   object.role);
     }
     return names;
 }
@@ -73,18 +79,17 @@ std::string unknown_extinction(const RefractiveIndex& index, const std::vector<d
 
 std::vector<std::string> unknown_extinctions(const Scene& scene) {
     std::vector<std::string> found;
-    const auto look_at = [&](const RefractiveIndex& index) {
-        const std::string text = unknown_extinction(index, scene.render.wavelengths_nm);
+    const auto look_at = [&](const auto& field, const RefractiveIndex& index) {
+        const std::string text = field.extinction == Extinction::needed
+                                     ? std::string()  // a problem of the scene, not a remark
+                                     : unknown_extinction(index, scene.render.wavelengths_nm);
         if (!text.empty() && std::find(found.begin(), found.end(), text) == found.end()) found.push_back(text);
     };
     const std::set<std::string> used = media_in_use(scene);
     for (const Medium& medium : scene.media) {
         if (used.count(medium.name) == 0) continue;
-        if (const auto* isotropic = std::get_if<IsotropicMedium>(&medium.matter)) look_at(isotropic->index);
-        if (const auto* crystal = std::get_if<UniaxialMedium>(&medium.matter)) {
-            look_at(crystal->ordinary);
-            look_at(crystal->extraordinary);
-        }
+        for_each_field(medium.matter, Overloaded{look_at, [](const auto&, const Absorption&) {},
+                                                 [](const auto&, const DVec3&) {}, [](const auto&, AxisSpace) {}});
     }
     return found;
 }
@@ -122,23 +127,18 @@ void check_media(SceneCheck& check) {
                       "rename one of them");
         const bool in_use = used.count(medium.name) > 0;
         const std::vector<double> wavelengths = in_use ? scene.render.wavelengths_nm : std::vector<double>{};
-        std::visit(Overloaded{
-                       [&](const IsotropicMedium& m) {
-                           check_index(check, m.index, in_use, field + ".index");
-                           check_spectrum(check, m.absorption, wavelengths, field + ".absorption");
-                       },
-                       [&](const UniaxialMedium& m) {
-                           check_index(check, m.ordinary, in_use, field + ".ordinary");
-                           check_index(check, m.extraordinary, in_use, field + ".extraordinary");
-                           check.require_axis(m.axis, field + ".axis");
-                           check_spectrum(check, m.absorption_o, wavelengths, field + ".absorption_o");
-                           check_spectrum(check, m.absorption_e, wavelengths, field + ".absorption_e");
-                       },
-                       [&](const ConductorMedium& m) {
-                           check_index(check, m.index, in_use, field + ".conductor", Extinction::needed);
-                       },
-                   },
-                   medium.matter);
+        const auto named = [&](const auto& row) { return field + "." + std::string(row.key); };
+        for_each_field(medium.matter,
+                       Overloaded{
+                           [&](const auto& row, const RefractiveIndex& index) {
+                               check_index(check, index, in_use, named(row), row.extinction);
+                           },
+                           [&](const auto& row, const Absorption& absorption) {
+                               check_spectrum(check, absorption, wavelengths, named(row));
+                           },
+                           [&](const auto& row, const DVec3& axis) { check.require_axis(axis, named(row)); },
+                           [](const auto&, AxisSpace) {},
+                       });
     }
 }
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "core/hypot.h"
 #include "core/overloaded.h"
@@ -142,33 +144,48 @@ bool is_whole(const RgbImage* image) {
                std::size_t{3} * static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height);
 }
 
+void check_radiance(SceneCheck& check, const Radiance& radiance, const Shape& shape, const std::string& field) {
+    const std::vector<double>& wavelengths_nm = check.scene().render.wavelengths_nm;
+    std::visit(Overloaded{
+                   [&](const Spectrum& spectrum) { check_spectrum(check, spectrum, wavelengths_nm, field); },
+                   [&](const TexturedRadiance& textured) {
+                       check.require(is_flat_sheet(shape), field, "only a rectangle or a disk can carry a texture",
+                                     "use {rectangle: {size: ...}} or a uniform radiance");
+                       check.require(is_whole(textured.image.get()), field + ".texture", "the texture is empty",
+                                     "name a PNG file");
+                       check_spectrum(check, D65Spectrum{textured.scale}, wavelengths_nm, field + ".scale");
+                   },
+               },
+               radiance);
+}
+
+void check_state(SceneCheck& check, const EmittedState& emitted, const std::string& field) {
+    std::visit(Overloaded{
+                   [](const Unpolarized&) {},
+                   [&](const FixedState& state) {
+                       const double polarized = std::hypot(state.s1, state.s2, state.s3);
+                       // A state made from degree and angles is rounded three times; 4 ulp is more than that.
+                       check.require(polarized <= 1.0 + 4.0 * 2.220446049250313e-16, field,
+                                     "is more than fully polarized: |(s1, s2, s3)| > 1",
+                                     "divide by the intensity s0 first");
+                       check.require_axis(state.x_axis, field + ".x_axis");
+                   },
+                   [&](const CrystalPlateState& plate) {
+                       const std::string name = field + ".crystal_plate";
+                       require_medium(check, plate.medium, name + ".medium");
+                       const Medium* medium = find_medium(check.scene(), plate.medium);
+                       check.require(medium == nullptr || crystal_in(medium->matter) != nullptr, name + ".medium",
+                                     "'" + plate.medium + "' is not a uniaxial crystal",
+                                     "use a medium such as {crystal: calcite}");
+                       check.require_axis(plate.axis, name + ".axis");
+                   },
+               },
+               emitted);
+}
+
 void check_emission(SceneCheck& check, const Emission& emission, const Shape& shape, const std::string& field) {
-    const Scene& scene = check.scene();
-    if (const auto* spectrum = std::get_if<Spectrum>(&emission.radiance)) {
-        check_spectrum(check, *spectrum, scene.render.wavelengths_nm, field + ".radiance");
-    }
-    if (const auto* textured = std::get_if<TexturedRadiance>(&emission.radiance)) {
-        check.require(is_flat_sheet(shape), field + ".radiance", "only a rectangle or a disk can carry a texture",
-                      "use {rectangle: {size: ...}} or a uniform radiance");
-        check.require(is_whole(textured->image.get()), field + ".radiance.texture", "the texture is empty",
-                      "name a PNG file");
-        check_spectrum(check, D65Spectrum{textured->scale}, scene.render.wavelengths_nm, field + ".radiance.scale");
-    }
-    if (const auto* state = std::get_if<FixedState>(&emission.state)) {
-        const double polarized = std::hypot(state->s1, state->s2, state->s3);
-        // A state made from degree and angles is rounded three times; 4 ulp is more than that.
-        check.require(polarized <= 1.0 + 4.0 * 2.220446049250313e-16, field + ".polarization",
-                      "is more than fully polarized: |(s1, s2, s3)| > 1", "divide by the intensity s0 first");
-        check.require_axis(state->x_axis, field + ".polarization.x_axis");
-    }
-    if (const auto* plate = std::get_if<CrystalPlateState>(&emission.state)) {
-        const std::string name = field + ".polarization.crystal_plate";
-        require_medium(check, plate->medium, name + ".medium");
-        const Medium* medium = find_medium(scene, plate->medium);
-        check.require(medium == nullptr || std::holds_alternative<UniaxialMedium>(medium->matter), name + ".medium",
-                      "'" + plate->medium + "' is not a uniaxial crystal", "use a medium such as {crystal: calcite}");
-        check.require_axis(plate->axis, name + ".axis");
-    }
+    check_radiance(check, emission.radiance, shape, field + ".radiance");
+    check_state(check, emission.state, field + ".polarization");
 }
 
 }  // namespace

@@ -44,10 +44,20 @@ struct ConductorMedium {
     RefractiveIndex index = ConstantIndex{};
 };
 
+/// Always visited in full, so that a new kind does not compile before everything has been told of it; what the kinds
+/// are made of: medium_fields.h.
+using Matter = std::variant<IsotropicMedium, UniaxialMedium, ConductorMedium>;
+
 struct Medium {
     std::string name;
-    std::variant<IsotropicMedium, UniaxialMedium, ConductorMedium> matter;
+    Matter matter;
     SourcePlace place{};
 };
+
+/// Has one real index: light goes through it as one wave.
+bool is_isotropic(const Matter& matter);
+
+/// Null: no crystal.
+const UniaxialMedium* crystal_in(const Matter& matter);
 
 }  // namespace pol

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
+#include <variant>
 #include <vector>
 
+#include "core/overloaded.h"
 #include "spectrum/illuminant.h"
 #include "spectrum/refractive_index.h"
 
@@ -14,11 +17,14 @@ namespace pol {
 namespace {
 
 bool is_crystal(const Medium& medium) {
-    return std::holds_alternative<UniaxialMedium>(medium.matter);
+    return crystal_in(medium.matter) != nullptr;
 }
 
 bool is_constant(const Spectrum& spectrum) {
-    return std::holds_alternative<ConstantSpectrum>(spectrum);
+    return std::visit(
+        Overloaded{[](const ConstantSpectrum&) { return true; }, [](const TabulatedSpectrum&) { return false; },
+                   [](const D65Spectrum&) { return false; }},
+        spectrum);
 }
 
 /// (2 n_o^2 + n_e^2)/3 at each wavelength; of one record if nothing varies.
@@ -54,6 +60,23 @@ Result<Spectrum> mean_absorption(const UniaxialMedium& crystal, const std::vecto
     return Spectrum{std::move(table)};
 }
 
+Result<Matter> glass_for(const UniaxialMedium& crystal, const std::vector<double>& wavelengths_nm) {
+    auto index = mean_index(crystal, wavelengths_nm);
+    if (!index) return index.error();
+    auto absorption = mean_absorption(crystal, wavelengths_nm);
+    if (!absorption) return absorption.error();
+    return Matter{IsotropicMedium{std::move(index).value(), std::move(absorption).value()}};
+}
+
+Result<Matter> without_birefringence(const Matter& matter, const std::vector<double>& wavelengths_nm) {
+    return std::visit(Overloaded{
+                          [](const IsotropicMedium& glass) -> Result<Matter> { return Matter{glass}; },
+                          [&](const UniaxialMedium& crystal) { return glass_for(crystal, wavelengths_nm); },
+                          [](const ConductorMedium& metal) -> Result<Matter> { return Matter{metal}; },
+                      },
+                      matter);
+}
+
 /// The virtual plates of emitters keep their crystal under another name.
 void keep_plates(Scene& scene, const Medium& crystal) {
     const std::string kept = crystal.name + " (plate)";
@@ -77,14 +100,10 @@ Result<Scene> isotropic_twin(const Scene& scene) {
         return Error{ErrorKind::usage, "the scene has no crystal to replace by glass"};
     Scene twin = scene;
     for (std::size_t i = 0; i < scene.media.size(); ++i) {
-        const auto* crystal = std::get_if<UniaxialMedium>(&scene.media[i].matter);
-        if (crystal == nullptr) continue;
-        auto index = mean_index(*crystal, scene.render.wavelengths_nm);
-        if (!index) return index.error();
-        auto absorption = mean_absorption(*crystal, scene.render.wavelengths_nm);
-        if (!absorption) return absorption.error();
-        keep_plates(twin, scene.media[i]);
-        twin.media[i].matter = IsotropicMedium{std::move(index).value(), std::move(absorption).value()};
+        auto matter = without_birefringence(scene.media[i].matter, scene.render.wavelengths_nm);
+        if (!matter) return matter.error();
+        if (is_crystal(scene.media[i])) keep_plates(twin, scene.media[i]);
+        twin.media[i].matter = std::move(matter).value();
     }
     return twin;
 }

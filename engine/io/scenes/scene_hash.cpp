@@ -7,8 +7,10 @@
 #include <string_view>
 #include <variant>
 
+#include "core/overloaded.h"
 #include "core/random.h"
 #include "io/scenes/scene_file.h"
+#include "scene/medium_fields.h"
 
 namespace pol {
 namespace {
@@ -69,7 +71,13 @@ std::string digest_of(const Mesh& mesh) {
 }
 
 void forget_record_name(RefractiveIndex& index) {
-    if (auto* dispersive = std::get_if<DispersiveIndex>(&index)) dispersive->name.clear();
+    std::visit(Overloaded{[](ConstantIndex&) {}, [](DispersiveIndex& dispersive) { dispersive.name.clear(); }}, index);
+}
+
+void forget_record_names(Matter& matter) {
+    for_each_field(matter, Overloaded{[](const auto&, RefractiveIndex& index) { forget_record_name(index); },
+                                      [](const auto&, const Absorption&) {}, [](const auto&, const DVec3&) {},
+                                      [](const auto&, AxisSpace) {}});
 }
 
 }  // namespace
@@ -78,14 +86,7 @@ std::string scene_hash(const Scene& scene) {
     // The canonical dump is the saved scene with contents in place of the names of files.
     Scene content = scene;
     content.title.clear();
-    for (Medium& medium : content.media) {
-        if (auto* isotropic = std::get_if<IsotropicMedium>(&medium.matter)) forget_record_name(isotropic->index);
-        if (auto* conductor = std::get_if<ConductorMedium>(&medium.matter)) forget_record_name(conductor->index);
-        if (auto* uniaxial = std::get_if<UniaxialMedium>(&medium.matter)) {
-            forget_record_name(uniaxial->ordinary);
-            forget_record_name(uniaxial->extraordinary);
-        }
-    }
+    for (Medium& medium : content.media) forget_record_names(medium.matter);
     for (Object& object : content.objects) {
         if (auto* shape = std::get_if<MeshShape>(&object.shape))
             shape->path = shape->mesh ? digest_of(*shape->mesh) : "";

@@ -2,13 +2,20 @@
 // Spectra, refractive indices and media of a scene file.
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/number_text.h"
+#include "core/overloaded.h"
 #include "io/scenes/index_file.h"
 #include "io/scenes/scene_reader.h"
+#include "scene/medium_fields.h"
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {
@@ -84,28 +91,77 @@ CrystalIndices read_crystal(const YamlValue& value, const AssetFolders& folders)
     fail_because_of(value, indices.error());
 }
 
-Spectrum optional_spectrum(const YamlMap& map, const char* key) {
-    const auto value = map.find(key);
-    return value ? read_spectrum(*value) : Spectrum{ConstantSpectrum{0.0}};
+/// Stands for both indices of a crystal.
+constexpr std::string_view crystal_record = "crystal";
+
+template <class Kind>
+std::vector<std::string_view> keys_of(const Kind& kind, std::initializer_list<Presence> asked) {
+    std::vector<std::string_view> keys;
+    for_each_field(kind, [&](const auto& row, const auto& /*value*/) {
+        if (std::find(asked.begin(), asked.end(), row.presence) != asked.end()) keys.push_back(row.key);
+    });
+    return keys;
 }
 
-UniaxialMedium read_uniaxial(const YamlMap& map, const AssetFolders& folders) {
+/// The properties of that presence, those that are missing too.
+template <class Kind>
+void read_fields(Kind& kind, Presence presence, const YamlMap& map, const AssetFolders& folders) {
+    const auto read = Overloaded{
+        [&](const YamlValue& value, RefractiveIndex& index) { index = read_index(value, folders); },
+        [](const YamlValue& value, Absorption& absorption) { absorption = read_spectrum(value); },
+        [](const YamlValue& value, DVec3& axis) { axis = value.vec3(); },
+        [](const YamlValue& value, AxisSpace& space) {
+            space = static_cast<AxisSpace>(value.choice_of({axis_space_words.begin(), axis_space_words.end()}));
+        },
+    };
+    for_each_field(kind, [&](const auto& row, auto& value) {
+        const std::string key(row.key);
+        if (row.presence == presence && (presence == Presence::required || map.has(key))) read(map.at(key), value);
+    });
+}
+
+template <class Kind>
+Kind read_kind(const YamlValue& value, const AssetFolders& folders) {
+    Kind kind;
+    const YamlMap map = value.map(keys_of(kind, {Presence::required, Presence::optional}));
+    read_fields(kind, Presence::required, map, folders);
+    read_fields(kind, Presence::optional, map, folders);
+    return kind;
+}
+
+UniaxialMedium read_crystal_record(const YamlValue& value, const AssetFolders& folders) {
     UniaxialMedium medium;
-    if (map.has("crystal")) {
-        CrystalIndices indices = read_crystal(map.at("crystal"), folders);
-        medium.ordinary = std::move(indices.ordinary);
-        medium.extraordinary = std::move(indices.extraordinary);
-    } else {
-        medium.ordinary = read_index(map.at("ordinary"), folders);
-        medium.extraordinary = read_index(map.at("extraordinary"), folders);
-    }
-    if (const auto axis = map.find("axis")) medium.axis = axis->vec3();
-    if (const auto space = map.find("axis_space")) {
-        medium.axis_space = space->choice({"object", "world"}) == "world" ? AxisSpace::world : AxisSpace::object;
-    }
-    medium.absorption_o = optional_spectrum(map, "absorption_o");
-    medium.absorption_e = optional_spectrum(map, "absorption_e");
+    std::vector<std::string_view> keys{crystal_record};
+    for (const std::string_view key : keys_of(medium, {Presence::optional})) keys.push_back(key);
+    const YamlMap map = value.map(keys);
+    CrystalIndices indices = read_crystal(map.at(std::string(crystal_record)), folders);
+    medium.ordinary = std::move(indices.ordinary);
+    medium.extraordinary = std::move(indices.extraordinary);
+    read_fields(medium, Presence::optional, map, folders);
     return medium;
+}
+
+/// The last kind of which a required key is there, else isotropic.
+Matter read_matter(const YamlValue& value, const AssetFolders& folders) {
+    std::vector<std::string_view> known{crystal_record};
+    for_each_kind([&](const auto& kind) {
+        for (const std::string_view key : keys_of(kind, {Presence::required, Presence::optional})) known.push_back(key);
+    });
+    const YamlMap any = value.map(known);
+    std::optional<Matter> matter;
+    for_each_kind([&](const auto& kind) {
+        using Kind = std::remove_cvref_t<decltype(kind)>;
+        if (matter) return;
+        if (std::is_same_v<Kind, UniaxialMedium> && any.has(std::string(crystal_record))) {
+            matter = read_crystal_record(value, folders);
+            return;
+        }
+        const auto keys = keys_of(kind, {Presence::required});
+        const bool is_named =
+            std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return any.has(std::string(key)); });
+        if (is_named) matter = read_kind<Kind>(value, folders);
+    });
+    return matter ? std::move(*matter) : Matter{read_kind<IsotropicMedium>(value, folders)};
 }
 
 }  // namespace
@@ -156,22 +212,7 @@ Medium read_medium(const std::string& name, const YamlValue& value, const AssetF
         return medium;
     }
     if (!value.is_map()) value.fail("this is no medium", "write 1.5, the name of a record or {index: ...}");
-    const YamlMap any = value.map({"index", "absorption", "crystal", "ordinary", "extraordinary", "axis", "axis_space",
-                                   "absorption_o", "absorption_e", "conductor"});
-    if (any.has("conductor")) {
-        const YamlMap map = value.map({"conductor"});
-        medium.matter = ConductorMedium{read_index(map.at("conductor"), folders)};
-    } else if (any.has("crystal")) {
-        const YamlMap map = value.map({"crystal", "axis", "axis_space", "absorption_o", "absorption_e"});
-        medium.matter = read_uniaxial(map, folders);
-    } else if (any.has("ordinary") || any.has("extraordinary")) {
-        const YamlMap map =
-            value.map({"ordinary", "extraordinary", "axis", "axis_space", "absorption_o", "absorption_e"});
-        medium.matter = read_uniaxial(map, folders);
-    } else {
-        const YamlMap map = value.map({"index", "absorption"});
-        medium.matter = IsotropicMedium{read_index(map.at("index"), folders), optional_spectrum(map, "absorption")};
-    }
+    medium.matter = read_matter(value, folders);
     return medium;
 }
 

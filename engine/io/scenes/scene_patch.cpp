@@ -19,9 +19,11 @@
 #include <vector>
 
 #include "core/number_text.h"
+#include "core/overloaded.h"
 #include "core/units.h"
 #include "io/scenes/scene_file.h"
 #include "io/scenes/scene_hash.h"
+#include "scene/medium_fields.h"
 
 namespace pol {
 namespace {
@@ -58,6 +60,18 @@ YAML::Node child(const YAML::Node& map, const std::string& key) {
 
 bool has(const YAML::Node& map, const std::string& key) {
     return child(map, key).IsDefined();
+}
+
+/// The value of that key of a medium is a refractive index.
+bool is_index(std::string_view key) {
+    bool found = false;
+    for_each_kind([&](const auto& kind) {
+        for_each_field(kind,
+                       Overloaded{[&](const auto& row, const RefractiveIndex&) { found = found || row.key == key; },
+                                  [](const auto&, const Absorption&) {}, [](const auto&, const DVec3&) {},
+                                  [](const auto&, AxisSpace) {}});
+    });
+    return found;
 }
 
 /// YAML as text and as a tree: which characters a value is made of.
@@ -339,8 +353,7 @@ private:
     [[nodiscard]] std::string value(const YAML::Node& node, const YAML::Node& old, const std::string& key) const {
         if (node.IsScalar()) return scalar(after_.of(node), key);
         if (node.IsSequence()) {
-            const bool is_index = is_one_of(key, {"index", "ordinary", "extraordinary", "conductor"});
-            if (is_index && node.size() == 2 && after_.of(node[1]) == "0") return value(node[0], {}, key);
+            if (is_index(key) && node.size() == 2 && after_.of(node[1]) == "0") return value(node[0], {}, key);
             std::string items;
             for (const auto& item : node) items += (items.empty() ? "" : ", ") + value(item, {}, "");
             return "[" + items + "]";

@@ -15,6 +15,7 @@
 #include "io/files/assets.h"
 #include "io/scenes/index_file.h"
 #include "io/scenes/scene_file.h"
+#include "scene/medium_fields.h"
 #include "scene/setting_table.h"
 
 namespace pol {
@@ -121,21 +122,20 @@ std::string index_text(const RefractiveIndex& index) {
 }
 
 std::string medium_text(const Medium& medium) {
-    return std::visit(Overloaded{
-                          [](const IsotropicMedium& m) {
-                              return "{index: " + index_text(m.index) + ", absorption: " + spectrum_text(m.absorption) +
-                                     "}";
-                          },
-                          [](const UniaxialMedium& m) {
-                              return "{ordinary: " + index_text(m.ordinary) +
-                                     ", extraordinary: " + index_text(m.extraordinary) + ", axis: " + vec_text(m.axis) +
-                                     ", axis_space: " + (m.axis_space == AxisSpace::world ? "world" : "object") +
-                                     ", absorption_o: " + spectrum_text(m.absorption_o) +
-                                     ", absorption_e: " + spectrum_text(m.absorption_e) + "}";
-                          },
-                          [](const ConductorMedium& m) { return "{conductor: " + index_text(m.index) + "}"; },
-                      },
-                      medium.matter);
+    std::string text;
+    const auto add = [&](const auto& row, const std::string& value) {
+        text.append(text.empty() ? "{" : ", ").append(row.key).append(": ").append(value);
+    };
+    for_each_field(medium.matter,
+                   Overloaded{
+                       [&](const auto& row, const RefractiveIndex& index) { add(row, index_text(index)); },
+                       [&](const auto& row, const Absorption& absorption) { add(row, spectrum_text(absorption)); },
+                       [&](const auto& row, const DVec3& axis) { add(row, vec_text(axis)); },
+                       [&](const auto& row, AxisSpace space) {
+                           add(row, std::string(axis_space_words[static_cast<std::size_t>(space)]));
+                       },
+                   });
+    return text + "}";
 }
 
 std::string shape_text(const Shape& shape) {

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <variant>
 
 #include "core/overloaded.h"
+#include "scene/medium_fields.h"
 
 namespace pol::verify {
 
@@ -20,6 +22,30 @@ void stretch(Absorption& absorption, double scale) {
                           },
                           [&](D65Spectrum& s) { s.scale /= scale; }},
                absorption);
+}
+
+/// Directions in world space, each through `map`; those in the space of objects go along with their objects.
+void map_world_axes(Matter& matter, const std::function<DVec3(const DVec3&)>& map) {
+    std::visit(Overloaded{
+                   [](IsotropicMedium&) {},
+                   [&](UniaxialMedium& crystal) {
+                       if (crystal.axis_space == AxisSpace::world) crystal.axis = map(crystal.axis);
+                   },
+                   [](ConductorMedium&) {},
+               },
+               matter);
+}
+
+/// What its axes, which go along with the object, do not say.
+void mirror(Sheet& sheet) {
+    std::visit(Overloaded{
+                   [](LinearPolarizer&) {},
+                   [](Retarder&) {},
+                   [](CircularPolarizer& circular) {
+                       circular.passes = circular.passes == Handedness::right ? Handedness::left : Handedness::right;
+                   },
+               },
+               sheet);
 }
 
 }  // namespace
@@ -72,12 +98,11 @@ Scene carried(Scene scene, const DMat3& turn, double scale, const DVec3& shift) 
     scene.unit_nm /= scale;
     for (Object& object : scene.objects) object.to_world = map * object.to_world;
     for (Medium& medium : scene.media) {
-        if (auto* glass = std::get_if<IsotropicMedium>(&medium.matter)) stretch(glass->absorption, scale);
-        if (auto* crystal = std::get_if<UniaxialMedium>(&medium.matter)) {
-            stretch(crystal->absorption_o, scale);
-            stretch(crystal->absorption_e, scale);
-            if (crystal->axis_space == AxisSpace::world) crystal->axis = turn * crystal->axis;
-        }
+        for_each_field(medium.matter,
+                       Overloaded{[](const auto&, const RefractiveIndex&) {},
+                                  [&](const auto&, Absorption& absorption) { stretch(absorption, scale); },
+                                  [](const auto&, const DVec3&) {}, [](const auto&, AxisSpace) {}});
+        map_world_axes(medium.matter, [&](const DVec3& axis) { return turn * axis; });
     }
     return scene;
 }
@@ -101,30 +126,37 @@ Scene mirrored(Scene scene) {
                 state->s3 = -state->s3;
             }
         } else if (auto* sheet = std::get_if<Sheet>(&object.role)) {
-            if (auto* circular = std::get_if<CircularPolarizer>(sheet))
-                circular->passes = circular->passes == Handedness::right ? Handedness::left : Handedness::right;
+            mirror(*sheet);
         }
     }
-    for (Medium& medium : scene.media)
-        if (auto* crystal = std::get_if<UniaxialMedium>(&medium.matter);
-            crystal != nullptr && crystal->axis_space == AxisSpace::world)
-            crystal->axis = reflected(crystal->axis);
+    for (Medium& medium : scene.media) map_world_axes(medium.matter, reflected);
     return scene;
 }
 
 Scene with_equal_indices(Scene scene) {
     for (Medium& medium : scene.media)
-        if (auto* crystal = std::get_if<UniaxialMedium>(&medium.matter)) {
-            crystal->extraordinary = crystal->ordinary;
-            crystal->absorption_e = crystal->absorption_o;
-        }
+        std::visit(Overloaded{
+                       [](IsotropicMedium&) {},
+                       [](UniaxialMedium& crystal) {
+                           crystal.extraordinary = crystal.ordinary;
+                           crystal.absorption_e = crystal.absorption_o;
+                       },
+                       [](ConductorMedium&) {},
+                   },
+                   medium.matter);
     return scene;
 }
 
 Scene with_glass_for_crystals(Scene scene) {
     for (Medium& medium : scene.media)
-        if (const auto* crystal = std::get_if<UniaxialMedium>(&medium.matter))
-            medium.matter = IsotropicMedium{crystal->ordinary, crystal->absorption_o};
+        medium.matter = std::visit(Overloaded{
+                                       [](const IsotropicMedium& glass) -> Matter { return glass; },
+                                       [](const UniaxialMedium& crystal) -> Matter {
+                                           return IsotropicMedium{crystal.ordinary, crystal.absorption_o};
+                                       },
+                                       [](const ConductorMedium& metal) -> Matter { return metal; },
+                                   },
+                                   medium.matter);
     return scene;
 }
 

@@ -163,7 +163,7 @@ InvariantResult flips_s2_and_s3_in_a_mirror(const SceneUnderTest& test) {
 }
 
 InvariantResult is_glass_with_equal_indices(const SceneUnderTest& test) {
-    const auto is_crystal = [](const Medium& medium) { return std::holds_alternative<UniaxialMedium>(medium.matter); };
+    const auto is_crystal = [](const Medium& medium) { return crystal_in(medium.matter) != nullptr; };
     if (std::none_of(test.scene.media.begin(), test.scene.media.end(), is_crystal))
         return does_not_apply("there is no crystal");
     for (const Object& object : test.scene.objects)
