@@ -24,6 +24,7 @@ LIBRARIES = {
     "Imf": "openexr",
     "openexr.h": "openexr",
     "Iex": "openexr",
+    "xxhash.h": "xxhash",
     "yaml-cpp/": "yaml-cpp",
     "png.h": "png",
     "tiny_gltf": "tinygltf",

@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <functional>
 
+#include "io/files/output_file.h"
 #include "io/pictures/exr_file.h"
 #include "support/render_scene.h"
 #include "verify/convergence/convergence.h"
 #include "verify/convergence/convergence_summary.h"
+#include "verify/convergence/run_table.h"
 
 namespace pol::verify {
 namespace {
@@ -107,6 +109,21 @@ TEST(Convergence, RunsOfAnotherSceneAreNotTakenOver) {
     const auto other = converge(request, go_on);
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().field, "-o");
+    EXPECT_NE(other.error().what.find("another scene"), std::string::npos) << other.error().what;
+}
+
+// Whose hashes are of another kind says nothing about the scene.
+TEST(Convergence, RunsOfAnotherVersionAreCalledSoAndNothingIsOverwritten) {
+    const Folder folder("polariscope-test-converge-version");
+    ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
+    RunRow row;
+    row.scene_hash = "0123456789abcdef0123456789abcdef";
+    ASSERT_TRUE(write_file(folder.path() / "runs.csv", run_table_csv({row})));
+    const auto other = converge(request, go_on);
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.error().field, "-o");
+    EXPECT_NE(other.error().what.find("another version"), std::string::npos) << other.error().what;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "reference.exr"));
 }
 
 /// A picture of the request's scene, finer than any run, as a file in its folder.

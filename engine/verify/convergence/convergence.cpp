@@ -57,7 +57,9 @@ private:
     Result<Done> find_reference();
     Result<Done> check_given_reference(const RenderSettings& deep);
     [[nodiscard]] RenderSettings deepest() const;
-    Result<Done> load_rows();
+    Result<Done> read_stored_rows();
+    Result<Done> take_over_rows();
+    [[nodiscard]] Error not_ours(std::string what) const;
     Result<bool> measure_setting(const RunSetting& setting, std::uint64_t seed);
     [[nodiscard]] const RunRow* row_of(const RunSetting& setting, std::uint64_t seed) const;
     bool tell(const std::string& doing);
@@ -71,6 +73,7 @@ private:
     std::string cpu_;
     std::vector<RunSetting> settings_;
     ConvergenceResult result_;
+    std::vector<RunRow> stored_rows_;  ///< as the folder has them
     StokesImage reference_;
     bool stopped_ = false;
     std::map<int, StokesImage> deeper_;            ///< by samples per pixel
@@ -278,7 +281,8 @@ Result<Done> Sweep::find_reference() {
     return write_exr(reference_, stored);
 }
 
-Result<Done> Sweep::load_rows() {
+/// Before anything is written: a folder of another scene is left as it is.
+Result<Done> Sweep::read_stored_rows() {
     const auto path = file("runs.csv");
     if (!std::filesystem::exists(path)) return Done{};
     constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 28U;
@@ -286,16 +290,31 @@ Result<Done> Sweep::load_rows() {
     if (!text) return text.error();
     auto rows = parse_run_table(text.value(), path.string());
     if (!rows) return rows.error();
-    for (RunRow& row : rows.value()) {
-        if (row.scene_hash != hash_ || row.reference != result_.reference_id || row.threads != request_.threads)
-            return Error{ErrorKind::usage,
-                         "the folder holds runs of another scene, reference or number of threads",
-                         {path.string(), 0, 0},
-                         "-o",
-                         "choose another folder, or remove this one"};
+    stored_rows_ = std::move(rows).value();
+    for (const RunRow& row : stored_rows_) {
+        if (!is_comparable_hash(row.scene_hash))
+            return not_ours(
+                "the folder holds runs of another version of this program, which told scenes apart otherwise");
+        if (row.scene_hash != hash_) return not_ours("the folder holds runs of another scene");
+    }
+    return Done{};
+}
+
+Result<Done> Sweep::take_over_rows() {
+    for (RunRow& row : stored_rows_) {
+        if (row.reference != result_.reference_id || row.threads != request_.threads)
+            return not_ours("the folder holds runs with another reference or number of threads");
         result_.rows.push_back(std::move(row));
     }
     return Done{};
+}
+
+Error Sweep::not_ours(std::string what) const {
+    return {ErrorKind::usage,
+            std::move(what),
+            {file("runs.csv").string(), 0, 0},
+            "-o",
+            "choose another folder, or remove this one"};
 }
 
 /// The same samples with a far smaller residual: what truncation alone does to a picture.
@@ -410,9 +429,10 @@ Result<ConvergenceResult> Sweep::run() {
     auto plan = compile(request_.scene);
     if (!plan) return plan.error();
     settings_ = convergence_settings(request_.scene, plan.value()->kernel().anisotropic);
+    if (auto read = read_stored_rows(); !read) return read.error();
     if (auto found = find_reference(); !found) return found.error();
     if (stopped_) return std::move(result_);
-    if (auto loaded = load_rows(); !loaded) return loaded.error();
+    if (auto taken = take_over_rows(); !taken) return taken.error();
     result_.rounding = rounding_error(*plan.value(), [this](std::size_t) { return tell("rounding, in 128 bit"); });
     if (stopped_) return std::move(result_);
     result_.anytime = anytime_curve(plan.value(), reference_, request_.threads,
