@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks the house rules that no compiler sees: who may include whom and which room may use which library (rooms.txt),
-licence lines, file lengths. Prints one `file:line: rule` per violation; exits 1 if there is any.
+licence lines, file lengths, what is visited in full. Prints one `file:line: rule` per violation; exits 1 if there is any.
 
 Usage: include_rules.py ROOT        (the top of a working tree)
 
@@ -135,6 +135,12 @@ def room_rule(rooms, path, header):
     return f'{name} may not include "{header}" (it may include {allowed})'
 
 
+# Kinds that are visited in full, so that a new one does not compile before everything has been told of it.
+VISITED = ("IsotropicMedium", "UniaxialMedium", "ConductorMedium", "LinearPolarizer", "Retarder", "CircularPolarizer",
+           "ConstantSpectrum", "D65Spectrum", "TabulatedSpectrum")
+PICKED = re.compile(r"\b(?:get_if|holds_alternative)\s*<\s*(?:const\s+)?(?:pol::)?(" + "|".join(VISITED) + r")\b")
+
+
 def check_includes(rooms, path, lines):
     if str(Path(path).parent) not in rooms:
         yield 1, f"folder {Path(path).parent} has no row in rooms.txt"
@@ -164,8 +170,13 @@ def check_file(root, rooms, file):
         yield 1, "a header needs #pragma once"
     if top in ("engine", "viewer"):
         yield from check_includes(rooms, path, lines)
+    if top in ("engine", "viewer"):
+        code = without_comments("\n".join(lines))
+        for match in PICKED.finditer(code):
+            number = code.count("\n", 0, match.start()) + 1
+            yield number, f"{match.group(1)} is picked out: std::visit all kinds, which a new one then cannot miss"
     if top == "engine" and not is_installed(path):
-        for number, line in enumerate(without_comments("\n".join(lines)).split("\n"), 1):
+        for number, line in enumerate(code.split("\n"), 1):
             if re.search(r"\bstd::complex\b", line):
                 yield number, "std::complex: the engine has its own, core/complex.h"
 

@@ -120,6 +120,14 @@ class IncludeRules(unittest.TestCase):
         self.expect_violation("engine/cli/a.cpp", '#include "viewer/session/session.h"\n', 2, "viewer")
         self.expect_violation("engine/render/a.cpp", "#include <GLFW/glfw3.h>\n", 2, "viewer/app")
 
+    def test_matter_sheets_and_spectra_are_visited_not_picked_out(self):
+        for kind in ("IsotropicMedium", "UniaxialMedium", "ConductorMedium", "CircularPolarizer", "TabulatedSpectrum"):
+            for picked in (f"std::get_if<{kind}>(&m)", f"std::holds_alternative<{kind}>(m)", f"get_if<\n    pol::{kind}\n>(&m)"):
+                for path in ("engine/io/scenes/a.cpp", "viewer/panels/a.cpp"):
+                    self.expect_violation(path, f"\nbool f() {{ return {picked}; }}\n", 3, f"{kind} is picked out")
+        self.expect_clean("engine/scene/a.cpp", "std::get<UniaxialMedium>(m);\n// std::get_if<UniaxialMedium>(&m)\n")
+        self.expect_clean("engine/scene/a.cpp", "std::get_if<UniaxialMediumOfAnother>(&m);\n")
+
     def test_include_without_folder_is_a_violation(self):
         self.expect_violation("engine/core/a.cpp", '#include "vec.h"\n', 2, "name the folder")
 

@@ -8,12 +8,17 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/number_text.h"
+#include "core/overloaded.h"
 #include "core/units.h"
 #include "io/files/assets.h"
 #include "io/scenes/index_file.h"
+#include "scene/medium_fields.h"
+#include "scene/setting_table.h"
 #include "spectrum/wavelength_grid.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -35,7 +40,7 @@ const std::vector<std::string>& index_records() {
 }
 
 /// A constant that can be dragged, or one of the records.
-void index_field(EditForm& form, const std::string& label, RefractiveIndex& index) {
+void record_field(EditForm& form, const std::string& label, RefractiveIndex& index) {
     static const std::string constant = "constant";
     std::vector<std::string> names{constant};
     names.insert(names.end(), index_records().begin(), index_records().end());
@@ -65,38 +70,49 @@ void index_field(EditForm& form, const std::string& label, RefractiveIndex& inde
         form.number(label, value->value.n, 0.002, "Refractive index n.");
 }
 
+void index_field(EditForm& form, const std::string& n, const std::string& k, RefractiveIndex& index,
+                 Extinction extinction) {
+    record_field(form, n, index);
+    if (auto* constant = std::get_if<ConstantIndex>(&index); constant != nullptr && extinction == Extinction::needed)
+        form.number(k, constant->value.k, 0.01, "Extinction: how strongly the metal absorbs.");
+}
+
 void absorption_field(EditForm& form, const std::string& label, Absorption& absorption) {
-    if (auto* constant = std::get_if<ConstantSpectrum>(&absorption))
-        form.number(label, constant->value, 0.01,
-                    "Absorption coefficient per scene unit: power falls as exp(-\u03b1 d).");
-    else
-        ImGui::TextDisabled("%s: a table in the scene", label.substr(0, label.find("##")).c_str());
+    const auto is_table = [&] { ImGui::TextDisabled("%s: a table in the scene", label.c_str()); };
+    std::visit(Overloaded{[&](ConstantSpectrum& constant) {
+                              form.number(label, constant.value, 0.01,
+                                          "Absorption coefficient per scene unit: power falls as exp(-\u03b1 d).");
+                          },
+                          [&](const TabulatedSpectrum&) { is_table(); }, [&](const D65Spectrum&) { is_table(); }},
+               absorption);
+}
+
+void axis_space_field(EditForm& form, const std::string& label, AxisSpace& space) {
+    static const std::array<std::string, axis_space_words.size()> spaces{"of the object", "of the world"};
+    const int taken =
+        form.choice(label, static_cast<int>(space), spaces, "Whether the optic axis turns with the object.");
+    if (taken < 0) return;
+    space = static_cast<AxisSpace>(taken);
+    form.apply(label);
 }
 
 void medium_fields(EditForm& form, Medium& medium) {
     const std::string in = " of " + medium.name;
-    if (auto* glass = std::get_if<IsotropicMedium>(&medium.matter)) {
-        index_field(form, "n" + in, glass->index);
-        absorption_field(form, "\u03b1" + in, glass->absorption);
-    } else if (auto* crystal = std::get_if<UniaxialMedium>(&medium.matter)) {
-        index_field(form, "n_o" + in, crystal->ordinary);
-        index_field(form, "n_e" + in, crystal->extraordinary);
-        form.vector("optic axis" + in, crystal->axis, 0.01, "Direction of the optic axis; its length does not matter.");
-        static const std::array<std::string, 2> spaces{"of the object", "of the world"};
-        const int taken = form.choice("axes" + in, static_cast<int>(crystal->axis_space), spaces,
-                                      "Whether the optic axis turns with the object.");
-        if (taken >= 0) {
-            crystal->axis_space = static_cast<AxisSpace>(taken);
-            form.apply("axes" + in);
-            return;
-        }
-        absorption_field(form, "\u03b1_o" + in, crystal->absorption_o);
-        absorption_field(form, "\u03b1_e" + in, crystal->absorption_e);
-    } else if (auto* metal = std::get_if<ConductorMedium>(&medium.matter)) {
-        index_field(form, "n" + in, metal->index);
-        if (auto* constant = std::get_if<ConstantIndex>(&metal->index))
-            form.number("k" + in, constant->value.k, 0.01, "Extinction: how strongly the metal absorbs.");
-    }
+    for_each_field(
+        medium.matter,
+        Overloaded{
+            [&](const auto& row, RefractiveIndex& index) {
+                index_field(form, std::string(row.label) + in, "k" + in, index, row.extinction);
+            },
+            [&](const auto& row, Absorption& absorption) {
+                absorption_field(form, std::string(row.label) + in, absorption);
+            },
+            [&](const auto& row, DVec3& axis) {
+                form.vector(std::string(row.label) + in, axis, 0.01,
+                            "Direction of the optic axis; its length does not matter.");
+            },
+            [&](const auto& row, AxisSpace& space) { axis_space_field(form, std::string(row.label) + in, space); },
+        });
 }
 
 /// What a lamp's polarization can be set to.
@@ -145,7 +161,7 @@ std::optional<EmittedState> state_from(State state, const EmittedState& old, con
     plate.passed = state == State::plate_o ? CrystalRay::ordinary : CrystalRay::extraordinary;
     if (!plate.medium.empty()) return plate;
     for (const Medium& medium : scene.media) {
-        if (!std::holds_alternative<UniaxialMedium>(medium.matter)) continue;
+        if (crystal_in(medium.matter) == nullptr) continue;
         plate.medium = medium.name;
         return plate;
     }
@@ -190,14 +206,95 @@ void lamp_fields(EditForm& form, const std::string& name, Emission& lamp) {
         form.flag("Fresnel" + in, plate->fresnel, "The exit face of the plate reflects a part of the light.");
     }
     if (auto* spectrum = std::get_if<Spectrum>(&lamp.radiance))
-        if (auto* constant = std::get_if<ConstantSpectrum>(spectrum))
-            form.number("radiance" + in, constant->value, 0.01, "Spectral radiance, the same at all wavelengths.");
+        std::visit(Overloaded{[&](ConstantSpectrum& constant) {
+                                  form.number("radiance" + in, constant.value, 0.01,
+                                              "Spectral radiance, the same at all wavelengths.");
+                              },
+                              [](const TabulatedSpectrum&) {}, [](const D65Spectrum&) {}},
+                   *spectrum);
 }
 
 std::string wavelengths_text(const std::vector<double>& wavelengths_nm) {
     std::string text;
     for (const double nm : wavelengths_nm) text += (text.empty() ? "" : ",") + number_text(nm);
     return text;
+}
+
+/// `typed` is the text being typed; empty: the scene's own.
+void wavelengths_field(EditForm& form, const std::string& label, const std::string& help,
+                       std::vector<double>& wavelengths_nm, std::string& typed) {
+    std::array<char, 4096> text{};
+    const std::string shown = typed.empty() ? wavelengths_text(wavelengths_nm) : typed;
+    std::strncpy(text.data(), shown.c_str(), text.size() - 1);
+    const bool entered =
+        ImGui::InputText(label.c_str(), text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    name_widget("field " + label);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s. Enter renders.", help.c_str());
+    if (ImGui::IsItemActive()) typed = text.data();
+    if (entered) {
+        if (auto grid = parse_wavelengths(text.data())) {
+            wavelengths_nm = std::move(grid).value();
+            form.apply(label);
+            typed.clear();
+        } else {
+            form.refuse(label, grid.error());
+        }
+    } else if (ImGui::IsItemDeactivated()) {
+        typed.clear();
+    }
+    form.complaint(label);
+}
+
+void choice_field(EditForm& form, const std::string& label, const std::string& help, const ChoiceSetting& kind) {
+    const std::vector<std::string> words(kind.words.begin(), kind.words.end());
+    const int taken = form.choice(label, kind.get(form.scene.render), words, help.c_str());
+    if (taken < 0) return;
+    kind.set(form.scene.render, taken);
+    form.apply(label);
+}
+
+void limit_field(EditForm& form, const std::string& label, const std::string& help, const LimitSetting& kind) {
+    RenderSettings& render = form.scene.render;
+    const std::string limit = label + " limit";
+    bool limited = (render.*kind.value).has_value();
+    const bool changed = ImGui::Checkbox(limit.c_str(), &limited);
+    name_widget("field " + limit);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help.c_str());
+    if (changed) {
+        if (limited)
+            (render.*kind.impose)(kind.usual);
+        else
+            (render.*kind.lift)();
+        form.apply(limit);
+    }
+    form.complaint(limit);
+    if (render.*kind.value) form.whole(label, *(render.*kind.value), 0.1F, help.c_str());
+}
+
+void setting_field(EditForm& form, const RenderSetting& setting, std::string& wavelengths) {
+    RenderSettings& render = form.scene.render;
+    const std::string label(setting.label);
+    const std::string help(setting.help);
+    std::visit(
+        Overloaded{
+            [&](const SizeSetting& kind) {
+                form.whole("width", render.*kind.width, 1.0F, help.c_str());
+                form.whole("height", render.*kind.height, 1.0F, help.c_str());
+            },
+            [&](const WavelengthsSetting& kind) { wavelengths_field(form, label, help, render.*kind.nm, wavelengths); },
+            [&](const ChoiceSetting& kind) { choice_field(form, label, help, kind); },
+            [&](const NumberSetting& kind) { form.number(label, render.*kind.value, kind.per_point, help.c_str()); },
+            [&](const WholeSetting& kind) {
+                form.whole(label, render.*kind.value, static_cast<float>(kind.per_point), help.c_str());
+            },
+            [&](const LimitSetting& kind) { limit_field(form, label, help, kind); },
+            [&](const SeedSetting& kind) {
+                const bool changed = ImGui::InputScalar(label.c_str(), ImGuiDataType_U64, &(render.*kind.value));
+                form.after(label, changed, help.c_str());
+            },
+            [&](const FlagSetting& kind) { form.flag(label, render.*kind.value, help.c_str()); },
+        },
+        setting.kind);
 }
 
 }  // namespace
@@ -241,61 +338,7 @@ void draw_light_section(EditForm& form) {
 }
 
 void draw_render_section(EditForm& form, std::string& wavelengths) {
-    RenderSettings& render = form.scene.render;
-    form.whole("width", render.width, 1.0F, "Pixels.");
-    form.whole("height", render.height, 1.0F, "Pixels.");
-
-    std::array<char, 4096> text{};
-    const std::string shown = wavelengths.empty() ? wavelengths_text(render.wavelengths_nm) : wavelengths;
-    std::strncpy(text.data(), shown.c_str(), text.size() - 1);
-    const bool entered =
-        ImGui::InputText("wavelengths", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-    name_widget("field wavelengths");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("nm: one, a list 450,550,650 or a range 380:780:20. Enter renders.");
-    if (ImGui::IsItemActive()) wavelengths = text.data();
-    if (entered) {
-        if (auto grid = parse_wavelengths(text.data())) {
-            render.wavelengths_nm = std::move(grid).value();
-            form.apply("wavelengths");
-            wavelengths.clear();
-        } else {
-            form.refuse("wavelengths", grid.error());
-        }
-    } else if (ImGui::IsItemDeactivated()) {
-        wavelengths.clear();
-    }
-    form.complaint("wavelengths");
-
-    static const std::array<std::string, 2> modes{"point: one ray through the center", "area: samples over the pixel"};
-    const int taken = form.choice("mode", static_cast<int>(render.mode), modes, "What a pixel stands for.");
-    if (taken >= 0) {
-        render.mode = static_cast<SampleMode>(taken);
-        form.apply("mode");
-        return;
-    }
-    form.whole("samples per pixel", render.samples_per_pixel, 0.2F, "In mode area. More of them mean less noise.");
-    form.number("residual", render.residual, 1e-5, "Largest share of a pixel that may stay untraced.");
-    bool limited = render.depth.has_value();
-    if (ImGui::Checkbox("depth limit", &limited)) {
-        if (limited) {
-            render.cut_by_depth_alone(9);
-        } else {
-            const RenderSettings usual;
-            render.depth.reset();
-            render.residual = usual.residual;
-            render.node_budget = usual.node_budget;
-        }
-        form.apply("depth limit");
-        return;
-    }
-    name_widget("field depth limit");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The paper's mode: the tree is cut after so many surfaces, and nowhere else.");
-    form.complaint("depth limit");
-    if (render.depth) form.whole("depth", *render.depth, 0.1F, "Surfaces that a ray may meet.");
-    form.whole("branch budget", render.node_budget, 10.0F, "Branches that a sample may follow before its random tail.");
-    form.flag("forget polarization", render.unpolarized,
-              "Light is unpolarized again after every surface: what a renderer without polarization shows.");
+    for (const RenderSetting& setting : render_settings()) setting_field(form, setting, wavelengths);
 }
 
 }  // namespace pol
