@@ -47,19 +47,20 @@ Shown& shown() {
     return one;
 }
 
-/// A bench that turns changes the light of every pixel.
-void turning_bench(benchmark::State& state) {
+/// A polarimeter that turns changes the light of every pixel.
+void turning_polarimeter(benchmark::State& state) {
     Session& session = shown().session;
     shown().renderer->upload(session);
-    session.bench.elements = {{BenchElementKind::polarizer, true, 0.0, 0.0}};
+    double axis = 0.0;
     for (auto _ : state) {
-        session.bench.elements[0].axis += 0.01;
+        axis += 0.01;
+        session.set_polarimeter({{{PolarimeterElementKind::polarizer, true, axis, 0.0}}});
         shown().renderer->upload(session);
         glFinish();
     }
-    session.bench = {};
+    session.set_polarimeter({});
 }
-BENCHMARK(turning_bench)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(turning_polarimeter)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// Everything of a picture that was not shown before.
 void new_picture(benchmark::State& state) {
@@ -74,12 +75,12 @@ BENCHMARK(new_picture)->Unit(benchmark::kMillisecond)->UseRealTime();
 /// The whole viewport, drawn anew.
 void draw_map(benchmark::State& state) {
     Session& session = shown().session;
-    session.view.quantity = static_cast<Quantity>(state.range(0));
-    session.transform = {static_cast<double>(state.range(1)) / 100.0, {0.0, 0.0}};
+    session.change_view().quantity = static_cast<Quantity>(state.range(0));
+    session.change_transform() = {static_cast<double>(state.range(1)) / 100.0, {0.0, 0.0}};
     shown().renderer->upload(session);
-    state.SetLabel(std::string(info(session.view.quantity).name));
+    state.SetLabel(std::string(info(session.view().quantity).name));
     for (auto _ : state) {
-        session.view.exposure = session.view.exposure == 0.0 ? 0.001 : 0.0;  // never the same view twice
+        session.change_view().exposure = session.view().exposure == 0.0 ? 0.001 : 0.0;  // never the same view twice
         shown().renderer->render(session, 1280, 800, 1.0);
         glFinish();
     }

@@ -22,7 +22,7 @@ inline void open_picture(Session& session, const StokesImage& image) {
         std::filesystem::temp_directory_path() / ("polariscope_known_" + std::to_string(getpid()) + ".exr");
     ASSERT_TRUE(write_exr(image, path));
     ASSERT_TRUE(session.open(path));
-    session.view.wavelength = 0;
+    session.change_view().wavelength = 0;
     std::filesystem::remove(path);
 }
 

@@ -95,16 +95,16 @@ TEST(Commands, EveryMapHasACommandThatSaysOfItWhatItsRowSays) {
         EXPECT_EQ(help_of(command, session), about.definition);
         command.run(session);
         EXPECT_TRUE(command.checked(session));
-        EXPECT_EQ(session.view.quantity, about.quantity);
+        EXPECT_EQ(session.view().quantity, about.quantity);
     }
 }
 
 TEST(Commands, HelpOfAMapFollowsTheShownConvention) {
     Session session;
-    session.view.convention = {Viewpoint::source, PositiveS3::left, TimeSign::minus};
+    session.change_view().convention = {Viewpoint::source, PositiveS3::left, TimeSign::minus};
     for (const Command& command : commands()) {
         const std::string expected =
-            command.map ? session.view.convention.definition(*command.map) : std::string(command.help);
+            command.map ? session.view().convention.definition(*command.map) : std::string(command.help);
         EXPECT_EQ(help_of(command, session), expected) << command.title;
     }
 }
@@ -113,23 +113,23 @@ TEST(Commands, ArrowsStepThroughMapsUntilAPixelIsPinned) {
     Session session;
     ASSERT_TRUE(session.open(std::string(POL_ASSETS) + "/scenes/cube-glass.yaml"));
     EXPECT_TRUE(run_command(session, {Key::right}));
-    EXPECT_EQ(session.view.quantity, Quantity::intensity);
+    EXPECT_EQ(session.view().quantity, Quantity::intensity);
     session.pin({10, 20});
     EXPECT_TRUE(run_command(session, {Key::right}));
-    EXPECT_EQ(session.view.quantity, Quantity::intensity);
-    EXPECT_EQ(session.selection.pinned(), (PixelAddress{11, 20}));
+    EXPECT_EQ(session.view().quantity, Quantity::intensity);
+    EXPECT_EQ(session.selection().pinned(), (PixelAddress{11, 20}));
     EXPECT_TRUE(run_command(session, {Key::escape}));
-    EXPECT_FALSE(session.selection.pinned());
+    EXPECT_FALSE(session.selection().pinned());
 }
 
 TEST(Commands, AHeldKeyTogglesOnce) {
     Session session;
     EXPECT_TRUE(run_command(session, {Key::tab}));
     EXPECT_TRUE(run_command(session, {Key::tab}, true));
-    EXPECT_FALSE(session.window.panels_visible);
+    EXPECT_FALSE(session.window().panels_visible);
     EXPECT_TRUE(run_command(session, {letter('E')}));
     EXPECT_TRUE(run_command(session, {letter('E')}, true));
-    EXPECT_EQ(session.view.exposure, 1.0);
+    EXPECT_EQ(session.view().exposure, 1.0);
 }
 
 /// Clicks on a named widget as it was drawn last.
@@ -153,21 +153,21 @@ TEST(Commands, EscClosesAMenuOrAComboBeforeItTakesAwayThePin) {
     for (const char* opens : {"menu Facts", "menu File", "field mode", "button analyzer"}) {
         SCOPED_TRACE(opens);
         ASSERT_NO_FATAL_FAILURE(click(window, map, opens));
-        EXPECT_TRUE(session.window.popup_open);
+        EXPECT_TRUE(session.window().popup_open);
         EXPECT_TRUE(run_command(session, {Key::escape}));
         window.draw();
-        EXPECT_FALSE(session.window.popup_open);
-        EXPECT_TRUE(session.selection.pinned());
+        EXPECT_FALSE(session.window().popup_open);
+        EXPECT_TRUE(session.selection().pinned());
     }
-    session.window.help_visible = true;
+    session.change_window().help_visible = true;
     ASSERT_NO_FATAL_FAILURE(click(window, map, "menu Map"));
     EXPECT_TRUE(run_command(session, {Key::escape}));
     window.draw();
-    EXPECT_TRUE(session.window.help_visible);
+    EXPECT_TRUE(session.window().help_visible);
     EXPECT_TRUE(run_command(session, {Key::escape}));
-    EXPECT_FALSE(session.window.help_visible);
+    EXPECT_FALSE(session.window().help_visible);
     EXPECT_TRUE(run_command(session, {Key::escape}));
-    EXPECT_FALSE(session.selection.pinned());
+    EXPECT_FALSE(session.selection().pinned());
 }
 
 TEST(Keys, HaveTheNamesThatAreOnThem) {

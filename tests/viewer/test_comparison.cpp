@@ -31,15 +31,15 @@ TEST(Comparison, ShowsTheDifferenceOfTheTwoMapsPixelByPixel) {
     for (const QuantityInfo& about : quantities()) {
         if (about.quantity == Quantity::color) continue;
         session.show(about.quantity);
-        session.view.difference = true;
+        session.change_view().difference = true;
         ASSERT_TRUE(session.comparison()) << about.name;
         session.finish_shown_map();
         const auto a = evaluate(session.current()->picture(), about.quantity, 0);
         const auto b = evaluate(reference.picture(), about.quantity, 0);
         for (std::size_t i = 0; i < a.value().pixels.size(); ++i) {
             const MapPixel expected = difference(about.quantity, a.value().pixels[i], b.value().pixels[i]);
-            EXPECT_EQ(session.shown_map.states()[i], expected.state);
-            EXPECT_EQ(session.shown_map.values()[i], expected.value);
+            EXPECT_EQ(session.shown_map().states()[i], expected.state);
+            EXPECT_EQ(session.shown_map().values()[i], expected.value);
         }
         const bool is_closed = about.quantity == Quantity::azimuth;
         EXPECT_EQ(map_look(session).scale, is_closed ? ColorScale::cyclic : ColorScale::diverging) << about.name;
@@ -51,7 +51,7 @@ TEST(Comparison, ShowsTheDifferenceOfTheTwoMapsPixelByPixel) {
 TEST(Comparison, ADifferenceHasABarAsWideAsBothTogether) {
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_two(session));
-    session.view.difference = true;
+    session.change_view().difference = true;
     for (const Quantity quantity : {Quantity::dop, Quantity::azimuth, Quantity::s3}) {
         session.show(quantity);
         const ShownQuantity both = session.shown_quantity();
@@ -73,7 +73,7 @@ TEST(Comparison, OfColorIsThatOfTheIntensity) {
     ASSERT_NO_FATAL_FAILURE(open_two(session));
     session.show(Quantity::color);
     session.toggle_difference();
-    EXPECT_EQ(session.view.quantity, Quantity::intensity);
+    EXPECT_EQ(session.view().quantity, Quantity::intensity);
     EXPECT_TRUE(session.comparison());
     session.show(Quantity::color);
     EXPECT_FALSE(session.comparison());
@@ -87,7 +87,7 @@ TEST(Comparison, SaysWhyItIsNotPossible) {
     EXPECT_NE(session.compare().error().what.find("the reference itself"), std::string::npos);
     session.toggle_difference();
     EXPECT_FALSE(session.comparison());
-    EXPECT_EQ(session.log.lines().back().severity, Severity::warning);
+    EXPECT_EQ(session.log().lines().back().severity, Severity::warning);
 
     StokesImage other = known_picture();
     for (double& nm : other.wavelengths_nm) nm += 1.0;
@@ -126,7 +126,7 @@ void wait(Session& session) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
     for (;;) {
         session.update();
-        bool is_done = session.shown_map.complete();
+        bool is_done = session.shown_map().complete();
         for (const auto& document : session.documents())
             is_done = is_done && document->progress().finished &&
                       document->picture().samples == std::vector<std::uint32_t>(document->picture().pixel_count(), 1);
@@ -146,11 +146,11 @@ TEST(Comparison, OfTheUnpolarizedTwinIsWhatPolarizationDoesToTheIntensity) {
     EXPECT_EQ(session.current()->name(), "mirrors-unpolarized.yaml");
     EXPECT_TRUE(session.current()->scene().render.unpolarized);
     ASSERT_TRUE(session.comparison());
-    ASSERT_EQ(session.view.quantity, Quantity::intensity);
+    ASSERT_EQ(session.view().quantity, Quantity::intensity);
     ASSERT_NO_FATAL_FAILURE(wait(session));
     const double r_s = test::brewster_s_reflectance;
     const double d65 = d65_at(580.0).value();  // the map is S0 / D65
-    for (const double value : session.shown_map.values())
+    for (const double value : session.shown_map().values())
         EXPECT_NEAR(d65 * value, r_s * r_s / 4.0 - r_s * r_s / 2.0, 1e-14);
 }
 

@@ -46,6 +46,46 @@ TEST(Document, FollowsTheRenderToTheSamePictureAsWithoutAWindow) {
     expect_same_picture(document->picture(), test::render(document->scene()));
 }
 
+/// A copy of the intensities that is brought up to date by what a document says has changed.
+struct Follower {
+    std::vector<Stokes<double>> copy;
+    std::uint64_t version = 0;
+    void follow(const Document& document) {
+        const StokesImage& picture = document.picture();
+        copy.resize(picture.stokes.size());
+        for (const TileRect& rect : document.changes_since(version))
+            for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w)
+                for (int y = rect.y0; y < rect.y1; ++y)
+                    for (int x = rect.x0; x < rect.x1; ++x) {
+                        const std::size_t at = w * picture.pixel_count() + picture.pixel(x, y);
+                        copy[at] = picture.stokes[at];
+                    }
+        version = document.picture_version();
+    }
+};
+
+TEST(Document, WhoeverKeepsACopyLearnsWhatChangedSince) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(70, 50));
+    const auto document = opened(folder / "plate.yaml");
+    Follower eager;
+    Follower late;
+    late.follow(*document);
+    while (!document->progress().finished) {
+        document->update(0.0);  // a tile at a time
+        eager.follow(*document);
+    }
+    EXPECT_TRUE(eager.copy == document->picture().stokes);
+    EXPECT_TRUE(document->changes_since(document->picture_version()).empty());
+    EXPECT_GE(document->changes_since(late.version).size(), 20U) << "5 x 4 tiles, two readers";
+    late.follow(*document);
+    EXPECT_TRUE(late.copy == document->picture().stokes);
+    // Another picture: all of it, whatever was seen before.
+    ASSERT_TRUE(document->edit(document->scene(), "again"));
+    ASSERT_EQ(document->changes_since(late.version).size(), 1U);
+    EXPECT_EQ(document->changes_since(late.version)[0].pixel_count(), 3500);
+}
+
 // Under load the window takes tiles over later than they are finished.
 TEST(Document, IsFinishedWhenAllOfThePictureIsShown) {
     const TemporaryFolder folder;

@@ -25,7 +25,7 @@ class Exports : public testing::Test {
 protected:
     /// Updates the session as frames do until the exports have ended.
     static void wait_for_exports(Session& session) {
-        while (!session.exports.idle()) {
+        while (!session.exports().idle()) {
             session.update();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
@@ -130,10 +130,11 @@ TEST_F(Exports, ARegionIsWrittenAsThatRegion) {
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
     test::finish(*session.current());
-    session.selection.region = TileRect{2, 1, 5, 3};
+    session.select_region(TileRect{2, 1, 5, 3});
     export_pixels(session);
-    session.selection.marked.assign(32, false);
-    session.selection.marked[31] = true;
+    std::vector<bool> marked(32, false);
+    marked[31] = true;
+    session.mark(marked);
     export_pixels(session);
     wait_for_exports(session);
     std::istringstream lines(text_of("plate.csv"));
@@ -180,19 +181,19 @@ TEST_F(Exports, NamesAreNeverUsedTwice) {
     for (const char* name : {"plate.exr", "plate-2.exr", "plate-3.exr"}) EXPECT_TRUE(fs::exists(name)) << name;
     fs::create_directory("out");
     EXPECT_EQ(free_export_path(session, "plate", ".exr"), fs::path("out/plate.exr"));
-    ASSERT_EQ(session.log.lines().size(), 3U);
-    EXPECT_NE(session.log.lines()[0].text.find("plate.exr"), std::string::npos);
+    ASSERT_EQ(session.log().lines().size(), 3U);
+    EXPECT_NE(session.log().lines()[0].text.find("plate.exr"), std::string::npos);
 }
 
 TEST_F(Exports, AFolderThatCannotBeWrittenIsReported) {
     test::write_text("plate.yaml", test::plate_scene(8, 8));
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
-    session.exports.start("EXR snapshot", "no/such/folder.exr",
-                          [](ExportProgress&) -> Result<Done> { return write_exr({}, "no/such/folder.exr"); });
+    session.start_export("EXR snapshot", "no/such/folder.exr",
+                         [](ExportProgress&) -> Result<Done> { return write_exr({}, "no/such/folder.exr"); });
     wait_for_exports(session);
-    ASSERT_FALSE(session.log.lines().empty());
-    EXPECT_EQ(session.log.lines().back().severity, Severity::error);
+    ASSERT_FALSE(session.log().lines().empty());
+    EXPECT_EQ(session.log().lines().back().severity, Severity::error);
 }
 
 // Behind a polarizer at 0 degrees everything is linear along x.
@@ -201,9 +202,10 @@ TEST_F(Exports, TheMarkedPixelsAreListedAtAllWavelengthsBehindThePolarimeter) {
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
     test::finish(*session.current());
-    session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, 0.0, 0.0});
-    session.selection.marked.assign(32, false);
-    session.selection.marked[11] = session.selection.marked[20] = true;
+    session.set_polarimeter({{{PolarimeterElementKind::polarizer, true, 0.0, 0.0}}});
+    std::vector<bool> marked(32, false);
+    marked[11] = marked[20] = true;
+    session.mark(marked);
     export_pixels(session);
     wait_for_exports(session);
     std::istringstream lines(text_of("plate.csv"));
@@ -242,10 +244,10 @@ TEST_F(Exports, PixelsAreListedInTheShownConventionWhichTheTableNames) {
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
     test::finish(*session.current());
-    session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, 0.3, 0.0});
-    session.polarimeter.elements.push_back({PolarimeterElementKind::retarder, true, 0.0, 1.0});
-    session.view.convention = {Viewpoint::source, PositiveS3::right, TimeSign::minus};
-    const ShownPicture engine(session.current()->picture(), session.polarimeter);
+    session.set_polarimeter(
+        {{{PolarimeterElementKind::polarizer, true, 0.3, 0.0}, {PolarimeterElementKind::retarder, true, 0.0, 1.0}}});
+    session.change_view().convention = {Viewpoint::source, PositiveS3::right, TimeSign::minus};
+    const ShownPicture engine(session.current()->picture(), session.polarimeter());
     export_pixels(session);
     wait_for_exports(session);
     std::istringstream lines(text_of("plate.csv"));
@@ -274,9 +276,9 @@ TEST_F(Exports, AMapIsWrittenInTheShownConvention) {
     test::finish(*session.current());
     session.show(Quantity::s3);
     const auto corner_of_map = [&](double axis, PositiveS3 positive) {
-        session.polarimeter.elements = {{PolarimeterElementKind::polarizer, true, axis, 0.0},
-                                        {PolarimeterElementKind::retarder, true, 0.0, 1.0}};
-        session.view.convention.positive_s3 = positive;
+        session.set_polarimeter({{{PolarimeterElementKind::polarizer, true, axis, 0.0},
+                                  {PolarimeterElementKind::retarder, true, 0.0, 1.0}}});
+        session.change_view().convention.positive_s3 = positive;
         session.finish_shown_map();
         const fs::path path = free_export_path(session, "plate-s3", ".png");
         export_map(session);
@@ -296,7 +298,7 @@ TEST_F(Exports, EveryMapIsWrittenAsPng) {
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
     test::finish(*session.current());
-    session.view.over_intensity = true;
+    session.change_view().over_intensity = true;
     for (const QuantityInfo& quantity : quantities()) {
         session.show(quantity.quantity);
         session.update();
@@ -307,7 +309,7 @@ TEST_F(Exports, EveryMapIsWrittenAsPng) {
         const fs::path path = "plate-" + std::string(quantity.name) + ".png";
         EXPECT_TRUE(fs::exists(path)) << path;
     }
-    for (const LogLine& line : session.log.lines()) EXPECT_EQ(line.severity, Severity::note) << line.text;
+    for (const LogLine& line : session.log().lines()) EXPECT_EQ(line.severity, Severity::note) << line.text;
 }
 
 TEST_F(Exports, ADifferenceIsWrittenUnderANameOfItsOwn) {
@@ -315,16 +317,17 @@ TEST_F(Exports, ADifferenceIsWrittenUnderANameOfItsOwn) {
     Session session;
     ASSERT_TRUE(session.open("plate.yaml"));
     ASSERT_TRUE(session.open_unpolarized_twin());
-    for (const auto& document : session.documents()) {
-        document->set_resting(false);
-        test::finish(*document);
+    for (std::size_t i = 0; i < session.documents().size(); ++i) {
+        session.step_document(1);
+        session.current()->set_resting(false);
+        test::finish(*session.current());
     }
     session.show(Quantity::azimuth);
     ASSERT_TRUE(session.comparison());
     export_map(session);
     wait_for_exports(session);
     EXPECT_TRUE(fs::exists("plate-unpolarized-azimuth-difference.png"));
-    for (const LogLine& line : session.log.lines()) EXPECT_EQ(line.severity, Severity::note) << line.text;
+    for (const LogLine& line : session.log().lines()) EXPECT_EQ(line.severity, Severity::note) << line.text;
 }
 
 }  // namespace

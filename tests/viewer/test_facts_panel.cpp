@@ -36,7 +36,7 @@ void explain_pin(Session& session) {
 class FactsPanel : public testing::Test {
 protected:
     std::string panel_text() {
-        return window.text_of([&] { draw_fact_panel(window.session); });
+        return window.text_of([&] { draw_fact_panel(window.session, window.wishes); });
     }
     /// Opens "45 degrees" of T9: a prism of index 1.5 whose total reflection has tan delta = 0.75, ellipticity 1/3.
     void open_t9() {
@@ -52,7 +52,7 @@ protected:
 
 TEST_F(FactsPanel, ShowsExpectedAndMeasuredAtThePinnedPixel) {
     open_t9();
-    EXPECT_EQ(session.selection.pinned(), (PixelAddress{t9.views[2].x, t9.views[2].y}));
+    EXPECT_EQ(session.selection().pinned(), (PixelAddress{t9.views[2].x, t9.views[2].y}));
     const std::string text = panel_text();
     expect_says(text, t9.sentence);
     expect_says(text, t9.source);
@@ -110,7 +110,7 @@ TEST_F(FactsPanel, AFactThatIsOpenIsShownAgainUnlessItWasEdited) {
     ASSERT_TRUE(session.open_fact(t9, 2));
     EXPECT_EQ(session.documents().size(), 2U);
     EXPECT_EQ(session.current(), first);
-    EXPECT_EQ(session.selection.pinned(), (PixelAddress{t9.views[2].x, t9.views[2].y}));
+    EXPECT_EQ(session.selection().pinned(), (PixelAddress{t9.views[2].x, t9.views[2].y}));
     Scene scene = first->scene();
     scene.camera.horizontal_fov *= 0.5;
     ASSERT_TRUE(session.current()->edit(std::move(scene), "fov"));
@@ -123,7 +123,7 @@ TEST_F(FactsPanel, EveryViewOpensAndPasses) {
     for (const verify::Fact& fact : verify::facts()) {
         EXPECT_EQ(fact.views.empty(), !fact.not_modelled.empty()) << fact.id;
         for (std::size_t view = 0; view < fact.views.size(); ++view, ++opened) {
-            ASSERT_TRUE(session.open_fact(fact, view)) << fact.id << ": " << session.log.lines().back().text;
+            ASSERT_TRUE(session.open_fact(fact, view)) << fact.id << ": " << session.log().lines().back().text;
             EXPECT_FALSE(session.current()->dirty());
             session.current()->set_paused(true);
             explain_pin(session);
@@ -173,7 +173,7 @@ TEST_F(FactsPanel, TheMenuOpensAFactAndItsPage) {
     session.pin({3, 4});
     window.draw(3);
     click("button Pin it");
-    EXPECT_EQ(session.selection.pinned(), (PixelAddress{16, 16}));
+    EXPECT_EQ(session.selection().pinned(), (PixelAddress{16, 16}));
 }
 
 }  // namespace

@@ -138,16 +138,16 @@ TEST(SessionExplanation, FollowsPinSampleAndWavelength) {
     auto found = explained(session);
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->y, 300);
-    session.selection.node = 3;
+    session.select_branch(3);
     session.update();
-    EXPECT_EQ(session.selection.node, 3);
+    EXPECT_EQ(session.selection().node, 3);
 
     session.nudge(0, 1);
     EXPECT_EQ(session.explanation(), nullptr) << "of the pixel before";
     found = explained(session);
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->y, 301);
-    EXPECT_FALSE(session.selection.node) << "an index into another tree";
+    EXPECT_FALSE(session.selection().node) << "an index into another tree";
 
     Scene scene = session.current()->scene();
     scene.render.wavelengths_nm = {450.0, 550.0};
@@ -155,8 +155,8 @@ TEST(SessionExplanation, FollowsPinSampleAndWavelength) {
     scene.render.samples_per_pixel = 4;
     ASSERT_TRUE(session.current()->edit(scene, "wavelengths"));
     EXPECT_EQ(session.explanation(), nullptr) << "of the plan before";
-    session.view.wavelength = 1;
-    session.selection.sample = 3;
+    session.change_view().wavelength = 1;
+    session.select_sample(3);
     found = explained(session);
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->wavelength, 1);
@@ -164,7 +164,7 @@ TEST(SessionExplanation, FollowsPinSampleAndWavelength) {
     const Explanation expected = explain(*session.current()->plan(), 256, 301, 3, 1);
     EXPECT_EQ(found->sample_light, expected.sample_light);
 
-    session.selection.sample = 100;
+    session.select_sample(100);
     EXPECT_EQ(explained(session)->sample, 4U) << "the last there is";
     session.unpin();
     session.update();

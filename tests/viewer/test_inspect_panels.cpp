@@ -55,9 +55,11 @@ protected:
         ImGui::SetNextWindowPos({0.0F, 0.0F});
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
         ImGui::Begin("panel");
-        panel.draw(session);
+        Wishes wishes;
+        panel.draw(session, wishes);
         ImGui::End();
         ImGui::Render();
+        wishes.fulfil(session);
     }
 
     /// CPU time of this thread for a frame, the median of nine: a busy machine does not count.
@@ -83,11 +85,13 @@ protected:
             ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
             ImGui::Begin("panel");
             ImGui::LogToClipboard(0);
-            panel.draw(session);
+            Wishes wishes;
+            panel.draw(session, wishes);
             ImGui::LogFinish();
             text = ImGui::GetClipboardText();
             ImGui::End();
             ImGui::Render();
+            wishes.fulfil(session);
         }
         return text;
     }
@@ -147,7 +151,7 @@ TEST_F(Panels, TheRhombsPixelIsThatOfExplain) {
 // Random tails scatter, and one of them per pixel tells nothing of it; glass at the pixel centres has none.
 TEST_F(Panels, TheStatusLineSaysWhatIsKnownOfTheSamplingError) {
     struct Line {
-        static void draw(Session& session) { draw_status_line(session); }
+        static void draw(const Session& session, Wishes& wishes) { draw_status_line(session, wishes); }
     } line;
     Scene calcite = test::small(test::shipped_scene("cube-calcite"), 8);
     pin_in(calcite, {4, 4});
@@ -165,7 +169,7 @@ TEST_F(Panels, TheStatusLineSaysWhatIsKnownOfTheSamplingError) {
 TEST_F(Panels, FrameAndConventionRelabelEverything) {
     pin_in(test::small(test::shipped_scene("fresnel-rhomb"), 16), {8, 8});
     const PixelPage before = make_pixel_page(session);
-    session.view.convention.viewpoint = Viewpoint::source;
+    session.change_view().convention.viewpoint = Viewpoint::source;
     const PixelPage source = make_pixel_page(session);
     EXPECT_EQ(source.stokes.s2, -before.stokes.s2);
     EXPECT_EQ(source.stokes.s3, -before.stokes.s3);
@@ -174,16 +178,15 @@ TEST_F(Panels, FrameAndConventionRelabelEverything) {
     PixelPanel panel;
     expect_says(shown(panel), "source's view");
 
-    session.view.convention = {};
-    session.page.frame = FrameChoice::own_angle;
-    session.page.own_angle = 0.3;
+    session.change_view().convention = {};
+    session.set_page({FrameChoice::own_angle, 0.3});
     const PixelPage turned = make_pixel_page(session);
     const auto expected = rotate_basis(before.stokes, 0.3);
     EXPECT_EQ(turned.stokes, expected);
     EXPECT_EQ(turned.measures.dop, measure(expected).dop);
-    session.page.frame = FrameChoice::scene_x;  // the rhomb's camera looks along the x axis
+    session.set_page({FrameChoice::scene_x});  // the rhomb's camera looks along the x axis
     expect_says(make_pixel_page(session).trouble, "along the ray");
-    session.page.frame = FrameChoice::scene_z;  // up in the picture: x lies along the camera's y
+    session.set_page({FrameChoice::scene_z});  // up in the picture: x lies along the camera's y
     const PixelPage z = make_pixel_page(session);
     EXPECT_NEAR(z.stokes.s1, -before.stokes.s1, 1e-12);
     expect_says(z.groups[1].rows[0].exact, ", 1)");
@@ -227,14 +230,14 @@ TEST_F(Panels, BarsAreIntervalsThatNoTruthLeaves) {
 // Panels of the tree stay in the tracer's convention; where that is not the shown one, they say so.
 TEST_F(Panels, PanelsOfTheTreeSayThatTheyKeepTheTracersConvention) {
     pin_in(test::small(test::shipped_scene("cube-calcite"), 32), {16, 14});
-    session.selection.node = 1;
+    session.select_branch(1);
     PathsPanel paths;
     RayTablePanel table;
     const std::string note = "tracer's convention: receiver's view, S3 > 0 right, exp(-i";
     EXPECT_EQ(shown(paths).find(note), std::string::npos);
     for (const Convention& other : {Convention{Viewpoint::source, {}, {}}, Convention{{}, PositiveS3::left, {}},
                                     Convention{{}, {}, TimeSign::plus}}) {
-        session.view.convention = other;
+        session.change_view().convention = other;
         expect_says(shown(paths), note);
         expect_says(shown(table), note);
     }
@@ -281,7 +284,7 @@ TEST_F(Panels, APictureWithoutASceneSaysSo) {
     expect_says(shown(paths), "no scene to trace");
     RayTablePanel rays;
     expect_says(shown(rays), "no scene to trace");
-    session.page.frame = FrameChoice::scene_z;
+    session.set_page({FrameChoice::scene_z});
     expect_says(make_pixel_page(session).trouble, "no scene axes");
 }
 
@@ -289,7 +292,7 @@ TEST_F(Panels, PathsAndTableShowTheNumbersOfTheTree) {
     pin_in(test::small(test::shipped_scene("cube-calcite"), 32), {16, 14});
     const Explanation& e = *session.explanation();
     PathsPanel paths;
-    session.selection.node = 1;
+    session.select_branch(1);
     std::string text = shown(paths);
     expect_says(text, fmt::format("{:.17g}", e.leaf_sum.s0));
     expect_says(text, fmt::format("of {} leaves", e.tree.leaves.size()));
@@ -325,7 +328,7 @@ TEST_F(Panels, ExportsAndCasesGoWhereAllExportsGo) {
     for (const RayFormat format : {RayFormat::csv, RayFormat::json, RayFormat::obj}) export_rays(session, format);
     save_pixel_case(session);
     save_pixel_case(session);
-    for (int i = 0; i < 5000 && !session.exports.idle(); ++i) {
+    for (int i = 0; i < 5000 && !session.exports().idle(); ++i) {
         session.update();
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
@@ -376,7 +379,7 @@ TEST_F(Panels, DrawATreeOfAHundredThousandBranches) {
     RayTablePanel table;
     draw_frame(paths);
     draw_frame(table);
-    session.selection.node = session.explanation()->tree.leaves.back();
+    session.select_branch(session.explanation()->tree.leaves.back());
     const double paths_frame = frame_seconds(paths);
     const double table_frame = frame_seconds(table);
     std::printf("%zu branches: list %.1f ms, all rows %.1f ms; a frame of paths %.2f ms, of the table %.2f ms\n",

@@ -34,11 +34,11 @@ TEST(Histogram, CountsEveryDefinedValueOnce) {
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
     session.show(Quantity::dop);
-    session.shown_map.finish(*session.current(), session.view, session.polarimeter);
-    const Histogram all = histogram_of(session.shown_map, {0.0, 1.0}, 12);
+    session.finish_shown_map();
+    const Histogram all = histogram_of(session.shown_map(), {0.0, 1.0}, 12);
     EXPECT_EQ(std::accumulate(all.bins.begin(), all.bins.end(), std::size_t{0}), 192u);
     EXPECT_EQ(all.above, 0u) << "the bottom row is fully polarized but for the rounding of the file";
-    const Histogram part = histogram_of(session.shown_map, {0.25, 0.75}, 5);
+    const Histogram part = histogram_of(session.shown_map(), {0.25, 0.75}, 5);
     std::size_t counted = std::accumulate(part.bins.begin(), part.bins.end(), std::size_t{0});
     EXPECT_EQ(counted + part.below + part.above, 192u);
     EXPECT_EQ(part.below, 48u) << "rows 0, 1 and 2 of 11";
@@ -51,7 +51,10 @@ TEST(HistogramPanel, ABrushMarksExactlyThePixelsInRange) {
     window.session.show(Quantity::dop);
     window.session.update();
     HistogramPanel panel;
-    const auto draw = [&] { draw_alone([&] { panel.draw(window.session); }); };
+    const auto draw = [&] {
+        draw_alone([&] { panel.draw(window.session, window.wishes); });
+        window.wishes.fulfil(window.session);
+    };
     const float left = ImGui::GetStyle().WindowPadding.x;
     const float width = 300.0F - 2.0F * left;
     const auto x_of = [&](double value) { return static_cast<float>(std::floor(left + value * width)); };
@@ -66,10 +69,10 @@ TEST(HistogramPanel, ABrushMarksExactlyThePixelsInRange) {
     draw();
     const double low = (x_of(0.3) - left) / width;
     const double high = (x_of(0.6) - left) / width;
-    const std::vector<bool>& marked = window.session.selection.marked;
+    const std::vector<bool>& marked = window.session.selection().marked;
     ASSERT_EQ(marked.size(), 192u);
     for (std::size_t pixel = 0; pixel < marked.size(); ++pixel) {
-        const double value = window.session.shown_map.values()[pixel];
+        const double value = window.session.shown_map().values()[pixel];
         EXPECT_EQ(marked[pixel], value >= low && value <= high) << value;
     }
     EXPECT_EQ(std::count(marked.begin(), marked.end(), true), 48) << "rows 4, 5 and 6 of 11";
@@ -78,7 +81,7 @@ TEST(HistogramPanel, ABrushMarksExactlyThePixelsInRange) {
     draw();
     test::hold_button(0, false);
     draw();
-    EXPECT_TRUE(window.session.selection.marked.empty()) << "a click takes the marks away";
+    EXPECT_TRUE(window.session.selection().marked.empty()) << "a click takes the marks away";
 }
 
 TEST(HistogramPanel, StatesAreCountedApartAndMarkedByAClick) {
@@ -89,10 +92,10 @@ TEST(HistogramPanel, StatesAreCountedApartAndMarkedByAClick) {
     window.session.show(Quantity::azimuth);
     window.session.update();
     HistogramPanel panel;
-    const std::string text = window.text_of([&] { panel.draw(window.session); });
+    const std::string text = window.text_of([&] { panel.draw(window.session, window.wishes); });
     EXPECT_NE(text.find("undefined: 16 pixels"), std::string::npos) << text;
     EXPECT_NE(text.find("not a number: 1 pixels"), std::string::npos) << text;
-    const auto marked = pixels_of(window.session.shown_map, PixelState::not_a_number);
+    const auto marked = pixels_of(window.session.shown_map(), PixelState::not_a_number);
     EXPECT_TRUE(marked[77]);
     EXPECT_EQ(std::count(marked.begin(), marked.end(), true), 1);
 }
@@ -140,18 +143,21 @@ TEST(Polarimeter, TheStandardAnalyzersPassTheirState) {
 TEST(PolarimeterPanel, ShowsTheMuellerMatrixOfTheTrain) {
     WindowWithoutGl window;
     ASSERT_NO_FATAL_FAILURE(open_picture(window.session, known_picture()));
-    EXPECT_NE(window.text_of([&] { draw_polarimeter_panel(window.session); }).find("The light arrives as it is."),
+    EXPECT_NE(window.text_of([&] { draw_polarimeter_panel(window.session, window.wishes); })
+                  .find("The light arrives as it is."),
               std::string::npos);
-    window.session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, 0.0, 0.0});
-    const std::string text = window.text_of([&] { draw_polarimeter_panel(window.session); });
+    window.session.set_polarimeter({{{PolarimeterElementKind::polarizer, true, 0.0, 0.0}}});
+    const std::string text = window.text_of([&] { draw_polarimeter_panel(window.session, window.wishes); });
     EXPECT_NE(text.find("polarizer"), std::string::npos);
     EXPECT_NE(text.find("0.500"), std::string::npos) << text;
     // At 30 degrees from image right S2 of what it passes is sin(60 degrees)/2 = 0.433, seen from the source its
     // opposite.
-    window.session.polarimeter.elements[0].axis = radians(30.0);
-    EXPECT_EQ(window.text_of([&] { draw_polarimeter_panel(window.session); }).find("-0.433"), std::string::npos);
-    window.session.view.convention.viewpoint = Viewpoint::source;
-    EXPECT_NE(window.text_of([&] { draw_polarimeter_panel(window.session); }).find("-0.433"), std::string::npos);
+    window.session.set_polarimeter({{{PolarimeterElementKind::polarizer, true, radians(30.0), 0.0}}});
+    EXPECT_EQ(window.text_of([&] { draw_polarimeter_panel(window.session, window.wishes); }).find("-0.433"),
+              std::string::npos);
+    window.session.change_view().convention.viewpoint = Viewpoint::source;
+    EXPECT_NE(window.text_of([&] { draw_polarimeter_panel(window.session, window.wishes); }).find("-0.433"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -21,20 +21,20 @@ TEST(ShownMap, HasTheValuesOfEvaluate) {
     for (const QuantityInfo& about : quantities()) {
         if (about.quantity == Quantity::color) continue;
         session.show(about.quantity);
-        session.shown_map.finish(document, session.view, session.polarimeter);
-        ASSERT_TRUE(session.shown_map.complete());
+        session.finish_shown_map();
+        ASSERT_TRUE(session.shown_map().complete());
         const auto map = evaluate(document.picture(), about.quantity, 0);
         ASSERT_TRUE(map);
         std::array<std::size_t, pixel_state_count> states{};
         for (std::size_t pixel = 0; pixel < map.value().pixels.size(); ++pixel) {
             const MapPixel& expected = map.value().pixels[pixel];
-            EXPECT_EQ(session.shown_map.states()[pixel], expected.state);
+            EXPECT_EQ(session.shown_map().states()[pixel], expected.state);
             if (expected.state == PixelState::defined) {
-                EXPECT_EQ(session.shown_map.values()[pixel], expected.value);
+                EXPECT_EQ(session.shown_map().values()[pixel], expected.value);
             }
             ++states[static_cast<std::size_t>(expected.state)];
         }
-        EXPECT_EQ(session.shown_map.summary().state, states) << about.name;
+        EXPECT_EQ(session.shown_map().summary().state, states) << about.name;
     }
 }
 
@@ -46,19 +46,19 @@ TEST(ShownMap, IsMadeInSlicesAndFollowsMapAndPolarimeter) {
     ShownMap map;
     int slices = 0;
     while (!map.complete() || slices == 0) {
-        map.update(document, session.view, session.polarimeter, 0.0, false);
+        map.update(document, session.view(), session.polarimeter(), 0.0, false);
         ASSERT_LE(++slices, 12);
     }
     EXPECT_EQ(slices, 12) << "a row per slice";
     EXPECT_NEAR(map.summary().high, 1.0, 1e-6);
     const std::uint64_t version = map.version();
-    EXPECT_FALSE(map.update(document, session.view, session.polarimeter, 1.0, false));
+    EXPECT_FALSE(map.update(document, session.view(), session.polarimeter(), 1.0, false));
     EXPECT_EQ(map.version(), version) << "nothing changed";
 
-    session.polarimeter.elements.push_back({});
-    map.update(document, session.view, session.polarimeter, 0.0, false);
+    session.set_polarimeter({{{}}});
+    map.update(document, session.view(), session.polarimeter(), 0.0, false);
     EXPECT_FALSE(map.complete());
-    map.finish(document, session.view, session.polarimeter);
+    map.finish(document, session.view(), session.polarimeter());
     EXPECT_NEAR(map.summary().low, 1.0, 1e-12) << "behind a polarizer all light is polarized";
 }
 
@@ -68,13 +68,13 @@ TEST(ShownMap, FollowsTheConvention) {
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
     session.show(Quantity::s3);
     session.finish_shown_map();
-    const std::vector<double> engine = session.shown_map.values();
-    session.view.convention.positive_s3 = PositiveS3::left;
+    const std::vector<double> engine = session.shown_map().values();
+    session.change_view().convention.positive_s3 = PositiveS3::left;
     session.finish_shown_map();
-    for (std::size_t i = 0; i < engine.size(); ++i) EXPECT_EQ(session.shown_map.values()[i], -engine[i]) << i;
-    session.view.convention.viewpoint = Viewpoint::source;
+    for (std::size_t i = 0; i < engine.size(); ++i) EXPECT_EQ(session.shown_map().values()[i], -engine[i]) << i;
+    session.change_view().convention.viewpoint = Viewpoint::source;
     session.finish_shown_map();
-    EXPECT_EQ(session.shown_map.values(), engine);
+    EXPECT_EQ(session.shown_map().values(), engine);
 }
 
 TEST(MapLook, AzimuthDifferencesAreClosedUntilAPartOfTheCycleIsAskedFor) {
@@ -85,7 +85,7 @@ TEST(MapLook, AzimuthDifferencesAreClosedUntilAPartOfTheCycleIsAskedFor) {
     for (Stokes<double>& s : image.stokes) s = rotate_basis(s, 0.02);
     ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
     session.show(Quantity::azimuth);
-    session.view.difference = true;
+    session.change_view().difference = true;
     session.finish_shown_map();
     EXPECT_EQ(map_look(session).kind, ScaleKind::cyclic);
     EXPECT_EQ(map_look(session).scale, ColorScale::cyclic);
@@ -95,7 +95,7 @@ TEST(MapLook, AzimuthDifferencesAreClosedUntilAPartOfTheCycleIsAskedFor) {
     EXPECT_NEAR(map_look(session).range.high, 0.02 * 180.0 / 3.14159265358979, 1e-3);
     reset_bar_range(session);
     EXPECT_EQ(map_look(session).kind, ScaleKind::cyclic);
-    session.view.difference = false;
+    session.change_view().difference = false;
     fit_bar_range(session);
     EXPECT_EQ(map_look(session).range.low, -90.0) << "azimuths themselves keep their cycle";
 }
@@ -106,9 +106,9 @@ TEST(MapLook, TakesItsRangeFromTheUserElseFromTheQuantityElseFromTheData) {
     image.residual[7] = 0.25;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
     session.show(Quantity::residual);
-    session.shown_map.finish(*session.current(), session.view, session.polarimeter);
+    session.finish_shown_map();
     EXPECT_EQ(map_look(session).range.high, 0.25);
-    session.view.range[static_cast<std::size_t>(Quantity::residual)] = MapRange{0.1, 0.2};
+    session.change_view().range[static_cast<std::size_t>(Quantity::residual)] = MapRange{0.1, 0.2};
     EXPECT_EQ(map_look(session).range.low, 0.1);
     session.show(Quantity::azimuth);
     EXPECT_EQ(map_look(session).range.low, -90.0);

@@ -13,6 +13,7 @@
 #include "viewer/session/map_look.h"
 #include "viewer/space/camera_moves.h"
 #include "viewer/viewer_files.h"
+#include "viewer/widgets/ink.h"
 #include "window_without_gl.h"
 
 namespace pol {
@@ -29,56 +30,78 @@ protected:
 
 TEST_F(PicturePanelTest, OpensFittedAndCentered) {
     const DVec2 view = window.frame.viewport.size;
-    const double scale = window.session.transform.scale;
+    const double scale = window.session.transform().scale;
     EXPECT_NEAR(scale, std::min(view.x / 16.0, view.y / 12.0), 1e-9);
-    EXPECT_NEAR(window.session.transform.view_from_picture({8.0, 6.0}).x, 0.5 * view.x, 1.0);
+    EXPECT_NEAR(window.session.transform().view_from_picture({8.0, 6.0}).x, 0.5 * view.x, 1.0);
     EXPECT_GT(view.x, 550.0);
     EXPECT_GT(view.y, 550.0);
 }
 
 TEST_F(PicturePanelTest, AClickPinsThePixelUnderTheCursor) {
     window.click(window.place_of({3, 7}));
-    ASSERT_TRUE(window.session.selection.pinned());
-    EXPECT_EQ(*window.session.selection.pinned(), (PixelAddress{3, 7}));
+    ASSERT_TRUE(window.session.selection().pinned());
+    EXPECT_EQ(*window.session.selection().pinned(), (PixelAddress{3, 7}));
 }
 
 TEST_F(PicturePanelTest, ADragPansAndDoesNotPin) {
     const DVec2 from = window.place_of({3, 7});
-    const DVec2 before = window.session.transform.offset;
+    const DVec2 before = window.session.transform().offset;
     window.drag(from, from + DVec2(40.0, -25.0));
-    EXPECT_FALSE(window.session.selection.pinned());
-    EXPECT_NEAR(window.session.transform.offset.x - before.x, 40.0, 1e-6);
-    EXPECT_NEAR(window.session.transform.offset.y - before.y, -25.0, 1e-6);
+    EXPECT_FALSE(window.session.selection().pinned());
+    EXPECT_NEAR(window.session.transform().offset.x - before.x, 40.0, 1e-6);
+    EXPECT_NEAR(window.session.transform().offset.y - before.y, -25.0, 1e-6);
     window.move(from + DVec2(40.0, -25.0));
-    EXPECT_EQ(window.session.selection.hovered, (PixelAddress{3, 7})) << "the pixel went with the cursor";
+    EXPECT_EQ(window.session.selection().hovered, (PixelAddress{3, 7})) << "the pixel went with the cursor";
 }
 
 TEST_F(PicturePanelTest, TheWheelZoomsAtTheCursor) {
     const DVec2 at = glm::floor(window.place_of({3, 7}));
     window.move(at);
-    const ViewTransform before = window.session.transform;
+    const ViewTransform before = window.session.transform();
     window.turn_wheel(2.0F);
-    const ViewTransform& after = window.session.transform;
+    const ViewTransform& after = window.session.transform();
     EXPECT_NEAR(after.scale / before.scale, 1.44, 1e-6);
     const DVec2 cursor = at - window.frame.viewport.origin;
     EXPECT_NEAR(after.picture_from_view(cursor).x, before.picture_from_view(cursor).x, 1e-9);
     EXPECT_NEAR(after.picture_from_view(cursor).y, before.picture_from_view(cursor).y, 1e-9);
 }
 
+/// Whether the frame has a stroke in the color of pins there.
+bool has_pin_at(const DVec2& at) {
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    for (int i = 0; i < drawn.CmdListsCount; ++i)
+        for (const ImDrawVert& vertex : drawn.CmdLists[i]->VtxBuffer)
+            if (vertex.col == pin_ink && std::hypot(vertex.pos.x - at.x, vertex.pos.y - at.y) < 40.0) return true;
+    return false;
+}
+
+TEST_F(PicturePanelTest, WhatIsDrawnOverThePictureMovesWithItInTheSameFrame) {
+    window.session.pin({1, 1});
+    window.move(window.place_of({15, 11}));
+    const DVec2 before = window.place_of({1, 1});
+    ASSERT_TRUE(has_pin_at(before));
+    test::turn_wheel(-3.0F);
+    window.draw(1);
+    const DVec2 after = window.place_of({1, 1});
+    ASSERT_GT(glm::length(after - before), 100.0);
+    EXPECT_TRUE(has_pin_at(after));
+    EXPECT_FALSE(has_pin_at(before));
+}
+
 TEST_F(PicturePanelTest, ShiftAndDragDrawsARegion) {
     test::hold_shift(true);
-    const DVec2 before = window.session.transform.offset;
+    const DVec2 before = window.session.transform().offset;
     window.drag(window.place_of({6, 8}), window.place_of({2, 3}));
-    const auto& region = window.session.selection.region;
+    const auto& region = window.session.selection().region;
     ASSERT_TRUE(region);
     EXPECT_EQ(region->x0, 2);
     EXPECT_EQ(region->y0, 3);
     EXPECT_EQ(region->x1, 7);
     EXPECT_EQ(region->y1, 9);
-    EXPECT_EQ(window.session.transform.offset, before);
+    EXPECT_EQ(window.session.transform().offset, before);
     window.click(window.place_of({1, 1}));
     EXPECT_FALSE(region) << "Shift and click takes it away";
-    EXPECT_FALSE(window.session.selection.pinned());
+    EXPECT_FALSE(window.session.selection().pinned());
 }
 
 TEST_F(PicturePanelTest, HoverSaysWhatEvaluateSays) {
@@ -88,7 +111,7 @@ TEST_F(PicturePanelTest, HoverSaysWhatEvaluateSays) {
         window.session.show(about.quantity);
         for (const PixelAddress at : {PixelAddress{3, 7}, PixelAddress{9, 0}, PixelAddress{15, 11}}) {
             window.move(window.place_of(at));
-            EXPECT_EQ(window.session.selection.hovered, at);
+            EXPECT_EQ(window.session.selection().hovered, at);
             const std::string text = window.text_of([&] { draw_hover_readout(window.session); });
             const auto map = evaluate(picture, about.quantity, 0);
             const MapPixel& value = map.value().pixels[picture.pixel(at.x, at.y)];
@@ -118,14 +141,14 @@ TEST_F(PicturePanelTest, HoverIsLabeledInTheShownConvention) {
     const auto hover = [&] { return window.text_of([&] { draw_hover_readout(window.session); }); };
     const auto s3_in = [](const std::string& text) { return std::stod(text.substr(text.rfind("S3 ") + 3)); };
     EXPECT_EQ(hover().find("receiver"), std::string::npos) << "the usual one is not named";
-    window.session.view.convention.positive_s3 = PositiveS3::left;
+    window.session.change_view().convention.positive_s3 = PositiveS3::left;
     std::string text = hover();
     EXPECT_NE(text.find("receiver's view, S3 > 0 left"), std::string::npos) << text;
     EXPECT_NEAR(s3_in(text.substr(0, text.find("receiver"))), -s3, 5e-4) << text;
-    window.session.view.convention.viewpoint = Viewpoint::source;
+    window.session.change_view().convention.viewpoint = Viewpoint::source;
     text = hover();
     EXPECT_NEAR(s3_in(text.substr(0, text.find("source"))), s3, 5e-4) << text;
-    window.session.page.frame = FrameChoice::own_angle;
+    window.session.set_page({FrameChoice::own_angle});
     EXPECT_NE(hover().find("camera frame"), std::string::npos) << "the inspector has another one";
 }
 
@@ -135,27 +158,28 @@ TEST_F(PicturePanelTest, TheColorBarNamesTheSignsOfTheShownConvention) {
     for (const Quantity quantity : {Quantity::s3, Quantity::handedness}) {
         window.session.show(quantity);
         EXPECT_EQ(map_options(window.session).words.high, "right");
-        EXPECT_EQ(window.text_of([&] { bar.draw(window.session, 300.0F); }).find("view"), std::string::npos);
-        window.session.view.convention.viewpoint = Viewpoint::source;
+        EXPECT_EQ(window.text_of([&] { bar.draw(window.session, window.wishes, 300.0F); }).find("view"),
+                  std::string::npos);
+        window.session.change_view().convention.viewpoint = Viewpoint::source;
         EXPECT_EQ(map_options(window.session).words.high, "right") << "of the opposite light";
-        window.session.view.convention.positive_s3 = PositiveS3::left;
+        window.session.change_view().convention.positive_s3 = PositiveS3::left;
         EXPECT_EQ(map_options(window.session).words.high, "left");
-        const std::string text = window.text_of([&] { bar.draw(window.session, 300.0F); });
+        const std::string text = window.text_of([&] { bar.draw(window.session, window.wishes, 300.0F); });
         EXPECT_NE(text.find("source's view, S3 > 0 left"), std::string::npos) << text;
-        window.session.view.convention = {};
+        window.session.change_view().convention = {};
     }
-    window.session.view.convention.viewpoint = Viewpoint::source;
+    window.session.change_view().convention.viewpoint = Viewpoint::source;
     window.session.show(Quantity::dop);
-    EXPECT_EQ(window.text_of([&] { bar.draw(window.session, 300.0F); }).find("source"), std::string::npos);
+    EXPECT_EQ(window.text_of([&] { bar.draw(window.session, window.wishes, 300.0F); }).find("source"),
+              std::string::npos);
 }
 
 // x is right for who looks: from behind the picture it points to its left.
 TEST_F(PicturePanelTest, TheAxesAtThePinAreThoseOfTheShownFrameAndConvention) {
     window.session.pin({3, 7});
-    window.session.page.frame = FrameChoice::own_angle;
-    window.session.page.own_angle = radians(30.0);
+    window.session.set_page({FrameChoice::own_angle, radians(30.0)});
     for (const Viewpoint viewpoint : {Viewpoint::receiver, Viewpoint::source}) {
-        window.session.view.convention.viewpoint = viewpoint;
+        window.session.change_view().convention.viewpoint = viewpoint;
         const PageAxes axes = page_axes(window.session);
         const double right = viewpoint == Viewpoint::receiver ? 1.0 : -1.0;
         EXPECT_NEAR(axes.x.x, right * std::cos(radians(30.0)), 1e-15);
@@ -184,9 +208,9 @@ TEST_F(PicturePanelTest, HoverCountsThePixelsOfTheWholePicture) {
 
 TEST_F(PicturePanelTest, TheLegendCountsPixelsWithoutAValue) {
     window.session.show(Quantity::azimuth);
-    window.session.shown_map.finish(*window.session.current(), window.session.view, window.session.polarimeter);
+    window.session.finish_shown_map();
     ColorBar bar;
-    const std::string text = window.text_of([&] { bar.draw(window.session, 300.0F); });
+    const std::string text = window.text_of([&] { bar.draw(window.session, window.wishes, 300.0F); });
     EXPECT_NE(text.find("undefined 8.3 %"), std::string::npos) << "the top row of 12 is unpolarized\n" << text;
     EXPECT_NE(text.find("Azimuth, 500 nm"), std::string::npos) << text;
 }
@@ -215,13 +239,13 @@ TEST_F(PicturePanelTest, FollowsTheWindowWhileFitted) {
     ImGui::GetIO().DisplaySize = {1000.0F, 600.0F};
     window.draw();
     const DVec2 view = window.frame.viewport.size;
-    EXPECT_NEAR(window.session.transform.scale, std::min(view.x / 16.0, view.y / 12.0), 1e-9);
+    EXPECT_NEAR(window.session.transform().scale, std::min(view.x / 16.0, view.y / 12.0), 1e-9);
     window.move(window.place_of({3, 7}));
     window.turn_wheel(1.0F);
-    const double zoomed = window.session.transform.scale;
+    const double zoomed = window.session.transform().scale;
     ImGui::GetIO().DisplaySize = {1280.0F, 800.0F};
     window.draw();
-    EXPECT_EQ(window.session.transform.scale, zoomed) << "the user's zoom stays";
+    EXPECT_EQ(window.session.transform().scale, zoomed) << "the user's zoom stays";
 }
 
 class CameraDragTest : public testing::Test {
@@ -254,10 +278,10 @@ protected:
 
 TEST_F(CameraDragTest, AltAndDragOrbitsInOneStep) {
     test::hold_alt(true);
-    const DVec2 offset = window.session.transform.offset;
+    const DVec2 offset = window.session.transform().offset;
     window.drag(from, from + DVec2(100.0, 0.0));
-    EXPECT_EQ(window.session.transform.offset, offset) << "the picture stays where it is";
-    EXPECT_FALSE(window.session.selection.pinned());
+    EXPECT_EQ(window.session.transform().offset, offset) << "the picture stays where it is";
+    EXPECT_FALSE(window.session.selection().pinned());
     EXPECT_EQ(camera().target, before.target);
     EXPECT_NEAR(distance(camera()), distance(before), 1e-12);
     const double turned = dot(before.position, camera().position) / std::pow(distance(before), 2);
@@ -289,10 +313,10 @@ TEST_F(CameraDragTest, AltShiftAndDragKeepsTheTargetsPlaneUnderTheCursor) {
     test::hold_shift(true);
     const DVec2 moved(60.0, -36.0);
     window.drag(from, from + moved);
-    EXPECT_FALSE(window.session.selection.region);
+    EXPECT_FALSE(window.session.selection().region);
     EXPECT_NEAR(glm::length((camera().position - camera().target) - (before.position - before.target)), 0.0, 1e-12);
     // The old target is now seen through the point to which it was dragged.
-    const DVec2 pixel = DVec2(8.0, 6.0) + moved / window.session.transform.scale;
+    const DVec2 pixel = DVec2(8.0, 6.0) + moved / window.session.transform().scale;
     const CameraRay ray = CameraModel(camera(), 16, 12).ray(pixel.x, pixel.y);
     EXPECT_NEAR(glm::length(cross(before.target - ray.origin, ray.direction)), 0.0, 1e-9);
     expect_one_step("camera pan");
@@ -301,11 +325,11 @@ TEST_F(CameraDragTest, AltShiftAndDragKeepsTheTargetsPlaneUnderTheCursor) {
 TEST_F(CameraDragTest, AltAndWheelDolliesInOneStepUntilAltIsLetGo) {
     window.move(from);
     test::hold_alt(true);
-    const double scale = window.session.transform.scale;
+    const double scale = window.session.transform().scale;
     window.turn_wheel(1.0F);
     window.turn_wheel(1.0F);
     EXPECT_NEAR(distance(before) / distance(camera()), 1.44, 1e-9);
-    EXPECT_EQ(window.session.transform.scale, scale);
+    EXPECT_EQ(window.session.transform().scale, scale);
     test::hold_alt(false);
     window.draw();
     const DVec3 first = camera().position;
@@ -317,9 +341,9 @@ TEST_F(CameraDragTest, AltAndWheelDolliesInOneStepUntilAltIsLetGo) {
 }
 
 TEST_F(CameraDragTest, WithoutAltTheViewMovesAndTheCameraStays) {
-    const DVec2 offset = window.session.transform.offset;
+    const DVec2 offset = window.session.transform().offset;
     window.drag(from, from + DVec2(40.0, -25.0));
-    EXPECT_NEAR(window.session.transform.offset.x - offset.x, 40.0, 1e-6);
+    EXPECT_NEAR(window.session.transform().offset.x - offset.x, 40.0, 1e-6);
     EXPECT_EQ(camera().position, before.position);
     EXPECT_FALSE(window.session.current()->history().can_undo());
 }
@@ -327,9 +351,9 @@ TEST_F(CameraDragTest, WithoutAltTheViewMovesAndTheCameraStays) {
 TEST_F(PicturePanelTest, APictureHasNoCameraToMove) {
     test::hold_alt(true);
     const DVec2 from = window.place_of({3, 7});
-    const DVec2 offset = window.session.transform.offset;
+    const DVec2 offset = window.session.transform().offset;
     window.drag(from, from + DVec2(40.0, 0.0));
-    EXPECT_NEAR(window.session.transform.offset.x - offset.x, 40.0, 1e-6);
+    EXPECT_NEAR(window.session.transform().offset.x - offset.x, 40.0, 1e-6);
 }
 
 TEST(CameraMoves, AnOrthographicCameraDolliesByItsWidth) {
@@ -347,11 +371,11 @@ TEST(MapLook, TheBarOfThePhotographIsMovedByExposureAndOffset) {
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
     session.show(Quantity::intensity);
     set_bar_range(session, {0.1, 0.6});
-    EXPECT_NEAR(session.view.exposure, 1.0, 1e-12);
-    EXPECT_NEAR(session.view.offset, -0.2, 1e-12);
+    EXPECT_NEAR(session.view().exposure, 1.0, 1e-12);
+    EXPECT_NEAR(session.view().offset, -0.2, 1e-12);
     EXPECT_NEAR(bar_range(session).low, 0.1, 1e-12);
     EXPECT_NEAR(bar_range(session).high, 0.6, 1e-12);
-    session.shown_map.finish(*session.current(), session.view, session.polarimeter);
+    session.finish_shown_map();
     fit_bar_range(session);
     EXPECT_NEAR(bar_range(session).high - bar_range(session).low, 0.5, 1e-12) << "a flat picture keeps its range";
     set_bar_range(session, {0.6, 0.1});

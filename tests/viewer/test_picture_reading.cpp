@@ -69,7 +69,7 @@ TEST(PixelReading, GivesEveryValueItsBar) {
 TEST(PixelReading, StandsBehindThePolarimeter) {
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
-    session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, radians(30.0), 0.0});
+    session.set_polarimeter({{{PolarimeterElementKind::polarizer, true, radians(30.0), 0.0}}});
     const PixelReading reading = read_pixel(session, {5, 6});
     EXPECT_NEAR(reading.quantity(Quantity::dop, 0).pixel.value, 1.0, 1e-12);
     EXPECT_NEAR(reading.quantity(Quantity::azimuth, 0).pixel.value, 30.0, 1e-9);
@@ -83,8 +83,8 @@ TEST(PixelReading, SeesNoLightBehindCrossedPolarizers) {
         if (!says_brightest) image.brightest.clear();
         Session session;
         ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
-        session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, radians(30.0), 0.0});
-        session.polarimeter.elements.push_back({PolarimeterElementKind::polarizer, true, radians(120.0), 0.0});
+        session.set_polarimeter({{{PolarimeterElementKind::polarizer, true, radians(30.0), 0.0},
+                                  {PolarimeterElementKind::polarizer, true, radians(120.0), 0.0}}});
         const QuantityReading value = read_pixel(session, {5, 6}).quantity(Quantity::dop, 0);
         EXPECT_EQ(value.pixel.state, PixelState::no_light) << says_brightest;
         EXPECT_EQ(reading_text(Quantity::dop, value), "no light");
@@ -99,7 +99,7 @@ TEST(PixelReading, IsLabeledInTheShownConvention) {
     const PixelReading engine = read_pixel(session, {5, 9});
     for (const Viewpoint viewpoint : {Viewpoint::receiver, Viewpoint::source}) {
         for (const PositiveS3 positive : {PositiveS3::right, PositiveS3::left}) {
-            session.view.convention = {viewpoint, positive, TimeSign::plus};
+            session.change_view().convention = {viewpoint, positive, TimeSign::plus};
             const PixelReading shown = read_pixel(session, {5, 9});
             const double mirror = viewpoint == Viewpoint::source ? -1.0 : 1.0;
             const double turn = positive == PositiveS3::left ? -mirror : mirror;

@@ -71,7 +71,7 @@ protected:
 
     void open(const StokesImage& film) {
         ASSERT_TRUE(write_exr(film, file_));
-        ASSERT_TRUE(session_.open(file_)) << session_.log.lines().back().text;
+        ASSERT_TRUE(session_.open(file_)) << session_.log().lines().back().text;
         auto renderer = PictureRenderer::create();
         ASSERT_TRUE(renderer) << to_string(renderer.error());
         renderer_ = std::move(renderer).value();
@@ -98,7 +98,7 @@ protected:
     }
 
     RgbPicture drawn_at_1_to_1() {
-        session_.transform = {};
+        session_.change_transform() = {};
         return drawn(film().width, film().height);
     }
 
@@ -136,23 +136,23 @@ TEST_F(Picture, EqualsTheColoredMapForEveryQuantityStyleAndWavelength) {
             for (std::size_t wavelength = 0; wavelength < 3; ++wavelength) {
                 SCOPED_TRACE(std::string(about.name) + ", style " + std::to_string(static_cast<int>(style)) +
                              ", wavelength " + std::to_string(wavelength));
-                session_.view.style = style;
-                session_.view.wavelength = wavelength;
+                session_.change_view().style = style;
+                session_.change_view().wavelength = wavelength;
                 session_.show(about.quantity);
-                expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view));
+                expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view()));
             }
         }
     }
 }
 
 TEST_F(Picture, FadesByTheBarAsTheColoredMapDoes) {
-    session_.view.fade_by_bar = true;
+    session_.change_view().fade_by_bar = true;
     for (const MapStyle style : {MapStyle::scientific, MapStyle::paper}) {
         for (const QuantityInfo& about : quantities()) {
             SCOPED_TRACE(std::string(about.name) + ", style " + std::to_string(static_cast<int>(style)));
-            session_.view.style = style;
+            session_.change_view().style = style;
             session_.show(about.quantity);
-            expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view));
+            expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view()));
         }
     }
 }
@@ -163,14 +163,14 @@ TEST_F(Picture, FollowsTheConvention) {
          {Convention{Viewpoint::source, PositiveS3::right, TimeSign::minus},
           Convention{Viewpoint::receiver, PositiveS3::left, TimeSign::minus},
           Convention{Viewpoint::source, PositiveS3::left, TimeSign::plus}, Convention{}}) {
-        session_.view.convention = convention;
+        session_.change_view().convention = convention;
         StokesImage labeled = film();
         for (Stokes<double>& s : labeled.stokes) s = convention.stokes(s);
         for (const Quantity quantity : {Quantity::s2, Quantity::s3, Quantity::handedness, Quantity::azimuth,
                                         Quantity::ellipticity, Quantity::color}) {
             SCOPED_TRACE(convention.text() + ", " + std::string(info(quantity).name));
             session_.show(quantity);
-            expect_same(drawn_at_1_to_1(), expected_of(labeled, session_.view));
+            expect_same(drawn_at_1_to_1(), expected_of(labeled, session_.view()));
         }
     }
 }
@@ -185,11 +185,11 @@ TEST_F(Picture, MinusAReferenceEqualsTheColoredDifferenceOfTheMaps) {
                                     Quantity::s1, Quantity::residual}) {
         SCOPED_TRACE(std::string(info(quantity).name));
         session_.show(quantity);
-        session_.view.difference = true;
+        session_.change_view().difference = true;
         ASSERT_TRUE(session_.comparison());
         session_.finish_shown_map();
-        const auto a = evaluate(film(), quantity, session_.view.wavelength);
-        const auto b = evaluate(session_.reference()->picture(), quantity, session_.view.wavelength);
+        const auto a = evaluate(film(), quantity, session_.view().wavelength);
+        const auto b = evaluate(session_.reference()->picture(), quantity, session_.view().wavelength);
         Map map = a.value();
         map.is_difference = true;
         for (std::size_t i = 0; i < map.pixels.size(); ++i)
@@ -209,8 +209,8 @@ TEST_F(Picture, MinusAReferenceShowsASinglePixelThatDiffersHoweverSmallItIsDrawn
     plain.stokes[plain.pixel(37, 22)].s1 = -0.25;
     open(plain);
     session_.show(Quantity::s1);
-    session_.view.difference = true;
-    session_.transform = {0.25, {0.0, 0.0}};
+    session_.change_view().difference = true;
+    session_.change_transform() = {0.25, {0.0, 0.0}};
     const RgbPicture picture = drawn(16, 16);
     const Rgb8 zero = encode(scale_color(ColorScale::diverging, 0.5));
     const Rgb8 least = encode(scale_color(ColorScale::diverging, 0.0));
@@ -224,10 +224,10 @@ TEST_F(Picture, MinusAReferenceShowsASinglePixelThatDiffersHoweverSmallItIsDrawn
 }
 
 TEST_F(Picture, EqualsTheColoredMapOfTheLightBehindThePolarimeter) {
-    session_.polarimeter.elements = {{PolarimeterElementKind::retarder, true, 0.4, 1.3},
-                                     {PolarimeterElementKind::polarizer, true, 1.1, 0.0}};
+    session_.set_polarimeter(
+        {{{PolarimeterElementKind::retarder, true, 0.4, 1.3}, {PolarimeterElementKind::polarizer, true, 1.1, 0.0}}});
     StokesImage behind_polarimeter = film();
-    const ShownPicture shown(film(), session_.polarimeter);
+    const ShownPicture shown(film(), session_.polarimeter());
     for (std::size_t w = 0; w < 3; ++w) {
         for (std::size_t i = 0; i < film().pixel_count(); ++i)
             behind_polarimeter.stokes[w * film().pixel_count() + i] = shown.stokes(w, i);
@@ -235,7 +235,7 @@ TEST_F(Picture, EqualsTheColoredMapOfTheLightBehindThePolarimeter) {
     for (const QuantityInfo& about : quantities()) {
         SCOPED_TRACE(about.name);
         session_.show(about.quantity);
-        expect_same(drawn_at_1_to_1(), expected_of(behind_polarimeter, session_.view));
+        expect_same(drawn_at_1_to_1(), expected_of(behind_polarimeter, session_.view()));
     }
 }
 
@@ -246,8 +246,8 @@ TEST_F(Picture, ShowsNoLightBehindACrossedAnalyzer) {
     linear.residual.assign(linear.residual.size(), 0.0);
     linear.tail.assign(linear.tail.size(), 0.0);
     open(linear);
-    session_.polarimeter.elements = {{PolarimeterElementKind::polarizer, true, 0.0, 0.0},
-                                     {PolarimeterElementKind::polarizer, true, std::acos(0.0), 0.0}};
+    session_.set_polarimeter({{{PolarimeterElementKind::polarizer, true, 0.0, 0.0},
+                               {PolarimeterElementKind::polarizer, true, std::acos(0.0), 0.0}}});
     session_.show(Quantity::dop);
     const RgbPicture picture = drawn_at_1_to_1();
     EXPECT_EQ(picture.pixels[100], (Rgb8{0, 0, 0}));
@@ -255,18 +255,18 @@ TEST_F(Picture, ShowsNoLightBehindACrossedAnalyzer) {
 
 TEST_F(Picture, FollowsRangeExposureAndScale) {
     session_.show(Quantity::dop);
-    session_.view.range[static_cast<std::size_t>(Quantity::dop)] = MapRange{0.25, 0.5};
-    expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view));
+    session_.change_view().range[static_cast<std::size_t>(Quantity::dop)] = MapRange{0.25, 0.5};
+    expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view()));
     for (const Quantity quantity : {Quantity::color, Quantity::intensity}) {
         session_.show(quantity);
         for (const double exposure : {-2.5, 1.0}) {
-            session_.view.exposure = exposure;
-            expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view));
+            session_.change_view().exposure = exposure;
+            expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view()));
         }
     }
     session_.show(Quantity::residual);
-    session_.view.scale = ColorScale::gray;
-    session_.view.range[static_cast<std::size_t>(Quantity::residual)] = MapRange{0.0, 1.0};
+    session_.change_view().scale = ColorScale::gray;
+    session_.change_view().range[static_cast<std::size_t>(Quantity::residual)] = MapRange{0.0, 1.0};
     const RgbPicture picture = drawn_at_1_to_1();
     const double residual = film().residual[10];
     EXPECT_NEAR(picture.pixels[10][0], 255.0 * srgb_encode(residual), 1.0);
@@ -274,9 +274,9 @@ TEST_F(Picture, FollowsRangeExposureAndScale) {
 
 TEST_F(Picture, OffsetIsAddedAndGammaIsAPowerOfTheLight) {
     session_.show(Quantity::intensity);
-    session_.view.wavelength = 1;
-    session_.view.offset = 0.1;
-    session_.view.gamma = 2.0;
+    session_.change_view().wavelength = 1;
+    session_.change_view().offset = 0.1;
+    session_.change_view().gamma = 2.0;
     const RgbPicture picture = drawn_at_1_to_1();
     const Map map = evaluate(film(), Quantity::intensity, 1).value();
     for (std::size_t i = 10; i < 100; ++i) {
@@ -291,7 +291,7 @@ TEST_F(Picture, OverTheIntensityAMapIsDarkWhereThePictureIs) {
     session_.show(Quantity::color);
     const RgbPicture color = drawn_at_1_to_1();
     session_.show(Quantity::azimuth);
-    session_.view.over_intensity = true;
+    session_.change_view().over_intensity = true;
     const RgbPicture both = drawn_at_1_to_1();
     for (std::size_t i = 10; i < 200; ++i) {
         const auto linear = [&](std::size_t c) { return srgb_decode(color.pixels[i][c] / 255.0); };
@@ -306,7 +306,7 @@ TEST_F(Picture, OverTheIntensityAMapIsDarkWhereThePictureIs) {
 TEST_F(Picture, IsNotSmoothedWhenEnlarged) {
     session_.show(Quantity::ellipticity);
     const RgbPicture small = drawn_at_1_to_1();
-    session_.transform = {3.0, {2.0, -6.0}};
+    session_.change_transform() = {3.0, {2.0, -6.0}};
     const RgbPicture large = drawn(100, 80);
     for (int y = 0; y < 80; ++y) {
         for (int x = 2; x < 100; ++x) {
@@ -329,13 +329,13 @@ TEST_F(Picture, AddsLightNotMapsWhenReduced) {
     for (int i = 0; i < 64 * 32; ++i) stripes.stokes.push_back({1.0, i % 2 == 0 ? 1.0 : -1.0, 0.0, 0.0});
     open(stripes);
     session_.show(Quantity::dop);
-    session_.view.scale = ColorScale::gray;
+    session_.change_view().scale = ColorScale::gray;
     for (const double ratio : {1.0, 2.0}) {
-        session_.transform = {0.5 / ratio, {0.0, 0.0}};
+        session_.change_transform() = {0.5 / ratio, {0.0, 0.0}};
         const RgbPicture half = drawn(32, 16, ratio);
         for (const Rgb8& pixel : half.pixels) ASSERT_EQ(pixel, (Rgb8{0, 0, 0}));
     }
-    session_.transform = {1.0, {0.0, 0.0}};
+    session_.change_transform() = {1.0, {0.0, 0.0}};
     EXPECT_EQ(drawn(64, 32).pixels[0], (Rgb8{255, 255, 255}));
 }
 
@@ -349,7 +349,7 @@ TEST_F(Picture, ADefectStaysVisibleWhenReduced) {
     gray.stokes[45 * 64 + 13].s1 = 2.0;
     open(gray);
     session_.show(Quantity::unphysical);
-    session_.transform = {0.125, {0.0, 0.0}};
+    session_.change_transform() = {0.125, {0.0, 0.0}};
     const RgbPicture reduced = drawn(8, 8);
     EXPECT_EQ(reduced.pixels[2 * 8 + 4], state_color(PixelState::not_a_number, 0, 0));
     EXPECT_EQ(reduced.pixels[5 * 8 + 1], encode(scale_color(ColorScale::sequential, 1.0)));

@@ -79,8 +79,8 @@ TEST(SpherePanel, SaysWhichConventionItsNamesHave) {
     WindowWithoutGl window;
     ASSERT_NO_FATAL_FAILURE(open_picture(window.session, known_picture()));
     SpherePanel panel;
-    window.session.view.convention = {Viewpoint::source, PositiveS3::left, TimeSign::minus};
-    EXPECT_NE(window.text_of([&] { panel.draw(window.session); }).find("source's view, S3 > 0 left"),
+    window.session.change_view().convention = {Viewpoint::source, PositiveS3::left, TimeSign::minus};
+    EXPECT_NE(window.text_of([&] { panel.draw(window.session, window.wishes); }).find("source's view, S3 > 0 left"),
               std::string::npos);
 }
 
@@ -123,9 +123,10 @@ TEST(SpherePanel, ALassoMarksPixelsOfThePicture) {
         ImGui::SetNextWindowPos({0.0F, 0.0F});
         ImGui::SetNextWindowSize({400.0F, 500.0F});
         ImGui::Begin("sphere", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove);
-        panel.draw(window.session);
+        panel.draw(window.session, window.wishes);
         ImGui::End();
         ImGui::Render();
+        window.wishes.fulfil(window.session);
     };
     test::hold_shift(true);
     test::put_mouse({210.0F, 60.0F});
@@ -139,7 +140,7 @@ TEST(SpherePanel, ALassoMarksPixelsOfThePicture) {
     }
     test::hold_button(0, false);
     draw();
-    const std::vector<bool>& marked = window.session.selection.marked;
+    const std::vector<bool>& marked = window.session.selection().marked;
     ASSERT_EQ(marked.size(), 192u);
     const auto count = std::count(marked.begin(), marked.end(), true);
     EXPECT_GT(count, 10);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "support/render_scene.h"
 #include "viewer/session/session.h"
@@ -42,7 +43,7 @@ Scene scene_at(const std::string& wavelengths) {
 }
 
 double shown_nm(const Session& session) {
-    return session.current()->picture().wavelengths_nm[session.view.wavelength];
+    return session.current()->picture().wavelengths_nm[session.view().wavelength];
 }
 
 TEST(Session, OpensASpectralPictureAtThePlaneNearestTo580AsTheCommandLineDoes) {
@@ -61,7 +62,7 @@ TEST(Session, KeepsTheWavelengthAndNotItsNumberWhenAnotherPictureIsShown) {
     session.step_document(-1);
     EXPECT_EQ(shown_nm(session), 580.0) << "550 was not chosen";
     session.step_document(1);
-    session.view.wavelength = 2;
+    session.change_view().wavelength = 2;
     session.update();
     EXPECT_EQ(shown_nm(session), 650.0);
     session.step_document(-1);
@@ -85,11 +86,32 @@ TEST(Session, AsksBeforeAFileIsWrittenAnew) {
     scene.media[0].matter = ConductorMedium{ConstantIndex{{0.2, 3.0}}};
     ASSERT_TRUE(session.current()->edit(std::move(scene), "metal"));
     EXPECT_FALSE(session.save(session.current()->path()));
-    EXPECT_TRUE(session.window.rewrite_asked);
-    EXPECT_TRUE(session.window.modal());
+    EXPECT_EQ(session.window().question, Question::rewrite);
+    EXPECT_TRUE(session.window().modal());
     EXPECT_TRUE(session.save(session.current()->path(), Document::Rewrite::keep_backup));
-    EXPECT_FALSE(session.window.rewrite_asked);
+    EXPECT_EQ(session.window().question, Question::none);
     EXPECT_EQ(std::filesystem::file_size("plate.yaml.bak"), source.size());
+}
+
+TEST(Session, LooksForWhatShipsWithTheProgramAtItsFirstFrameAndWheneverAFileIsOpened) {
+    const test::WorkingFolder folder;
+    const std::filesystem::path records = folder / "refractive_index";
+    std::filesystem::create_directory(records);
+    test::write_text(records / "water.yml", "");
+    test::write_text(records / "notes.txt", "");
+    test::write_text("plate.yaml", test::plate_scene(4, 4));
+    ASSERT_EQ(::setenv("POLARISCOPE_ASSETS", (folder / ".").c_str(), 1), 0);
+    Session session;
+    EXPECT_TRUE(session.shipped_files().index_records.empty());
+    session.update();
+    EXPECT_EQ(session.shipped_files().index_records, std::vector<std::string>{"water"});
+    EXPECT_TRUE(session.shipped_files().scenes.empty()) << "no such folder";
+    test::write_text(records / "ice.yml", "");
+    session.update();
+    EXPECT_EQ(session.shipped_files().index_records.size(), 1U) << "not in every frame";
+    ASSERT_TRUE(session.open("plate.yaml"));
+    EXPECT_EQ(session.shipped_files().index_records, (std::vector<std::string>{"ice", "water"}));
+    ::unsetenv("POLARISCOPE_ASSETS");
 }
 
 TEST(Session, ATwinIsNotEditedAndIsShownOnce) {

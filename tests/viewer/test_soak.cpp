@@ -115,7 +115,7 @@ public:
     double empty_mib() {
         while (session_.current() != nullptr) session_.close_document();
         for (int i = 0; i < 3; ++i) frame();
-        while (!session_.exports.idle()) rest();
+        while (!session_.exports().idle()) rest();
         double held = std::numeric_limits<double>::infinity();
         for (int i = 0; i < 20; ++i) {  // what works in the background ends a little later
             rest();
@@ -141,21 +141,22 @@ private:
         if (picture_) picture_->upload(session_);
         ImGui::NewFrame();
         Frame frame;
-        interface_.draw(session_, frame);
+        Wishes wishes = interface_.draw(session_, frame);
         ImGui::Render();
+        wishes.fulfil(session_);
         if (picture_) {
             picture_->render(session_, std::max(1, static_cast<int>(frame.viewport.size.x)),
                              std::max(1, static_cast<int>(frame.viewport.size.y)), 1.0);
             ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
         }
         ++frames_;
-        if (session_.current() != nullptr && session_.window.panels_visible) {
-            ASSERT_TRUE(std::isfinite(session_.transform.scale));
-            ASSERT_TRUE(std::isfinite(session_.transform.offset.x) && std::isfinite(session_.transform.offset.y));
+        if (session_.current() != nullptr && session_.window().panels_visible) {
+            ASSERT_TRUE(std::isfinite(session_.transform().scale));
+            ASSERT_TRUE(std::isfinite(session_.transform().offset.x) && std::isfinite(session_.transform().offset.y));
         }
         // The monkey may not leave.
-        session_.window.quit = Quit::no;
-        session_.window.ui_scale = 0.0;
+        session_.change_window().ended = false;
+        session_.change_window().ui_scale = 0.0;
     }
 
     /// A named widget, or anywhere.
@@ -198,7 +199,7 @@ private:
     /// A key as the window passes it on.
     void command() {
         const Command& any = commands()[below(commands().size())];
-        if (!session_.window.modal()) run_command(session_, any.chord);
+        if (!session_.window().modal()) run_command(session_, any.chord);
         frame();
     }
     void type() {

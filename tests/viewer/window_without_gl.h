@@ -39,12 +39,14 @@ public:
         for (int i = 0; i < frames; ++i) {
             session.update();
             ImGui::NewFrame();
-            interface.draw(session, frame);
+            Wishes wanted = interface.draw(session, frame);
             ImGui::Render();
+            wanted.fulfil(session);
         }
     }
 
-    /// What `draw` writes. ImGui ends its log with the window, so this is a window of its own.
+    /// What `draw` writes; it may leave something in `wishes`. ImGui ends its log with the window, so this is a window
+    /// of its own.
     template <class Draw>
     std::string text_of(const Draw& draw_panel) {
         const auto path =
@@ -57,6 +59,7 @@ public:
         ImGui::LogFinish();
         ImGui::End();
         ImGui::Render();
+        wishes.fulfil(session);
         std::ifstream file(path);
         std::string all{std::istreambuf_iterator<char>(file), {}};
         std::filesystem::remove(path);
@@ -94,12 +97,13 @@ public:
 
     /// Where the center of a pixel lies in the window.
     [[nodiscard]] DVec2 place_of(PixelAddress pixel) const {
-        return frame.viewport.origin + session.transform.view_from_picture({pixel.x + 0.5, pixel.y + 0.5});
+        return frame.viewport.origin + session.transform().view_from_picture({pixel.x + 0.5, pixel.y + 0.5});
     }
 
     Session session;
     Interface interface;
     Frame frame;
+    Wishes wishes;  ///< of panels that are drawn without the interface
 };
 
 }  // namespace pol

@@ -9,13 +9,14 @@
 #include <ctime>
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "io/pictures/png_file.h"
 #include "viewer/app/app_probe.h"
 #include "viewer/app/app_window.h"
 #include "viewer/app/frame_pacer.h"
 #include "viewer/panels/interface.h"
 #include "viewer/picture/picture_renderer.h"
+#include "viewer/session/exports.h"
 #include "viewer/session/preferences.h"
 
 namespace pol {
@@ -54,7 +55,7 @@ struct Shown {
 
 Shown shown(const Session& session) {
     const Document* document = session.current();
-    return {document, document == nullptr ? 0 : document->picture_version(), session.log.lines().size()};
+    return {document, document == nullptr ? 0 : document->picture_version(), session.log().lines().size()};
 }
 
 bool is_tracing(const Session& session) {
@@ -68,7 +69,7 @@ public:
         : library_(library), window_(window), session_(session), picture_(picture), probe_(probe) {}
 
     void run(const PendingSignals& signals) {
-        while (session_.window.quit != Quit::confirmed) {
+        while (!session_.window().ended) {
             library_.wait(pacer_.wait(library_.now()).value_or(longest_sleep_s));
             while (const auto signal = signals.next()) obey(*signal);
             note_what_happened();
@@ -85,7 +86,7 @@ private:
 
     void obey(int signal) {
         if (signal != SIGUSR1) {
-            session_.window.quit = Quit::confirmed;
+            session_.change_window().ended = true;
         } else if (probe_ != nullptr) {
             probe_->ask();
             pacer_.animate(library_.now(), 0.0);
@@ -114,34 +115,31 @@ private:
         session_.update();
         picture_.upload(session_);
         // Asked for in a frame before this one, whose menu was still open.
-        const std::filesystem::path wanted = std::exchange(session_.window.picture_of_window, {});
+        const bool is_wanted = !session_.wanted_window_picture().empty();
         Frame frame;
         frame.ui_scale = window_.begin_frame();
         frame.picture_texture = texture_;
         // A test asks for what follows from all that it has done.
         AppProbe* asked = window_.input_waits() ? nullptr : probe_;
         if (asked != nullptr) asked->begin();
-        interface_.draw(session_, frame);
-        if (asked != nullptr) asked->end(session_, frame.viewport);
+        Wishes wishes = interface_.draw(session_, frame);
         ImGui::Render();
+        const bool is_final = wishes.empty();
+        wishes.fulfil(session_);
+        if (asked != nullptr) asked->end(session_, frame.viewport, is_final);
         const double ratio = window_.pixel_ratio();
         const auto pixels = [ratio](double points) { return std::max(1, static_cast<int>(points * ratio)); };
         texture_ = picture_.render(session_, pixels(frame.viewport.size.x), pixels(frame.viewport.size.y), ratio);
         window_.follow(session_);
-        if (wanted.empty())
-            window_.end_frame();
+        if (is_wanted)
+            window_.end_frame([&](RgbPicture picture) { write_window(session_, std::move(picture)); });
         else
-            window_.end_frame([&](RgbPicture picture) {
-                session_.exports.start("PNG of the window", wanted,
-                                       [picture = std::move(picture), wanted](ExportProgress& /*progress*/) {
-                                           return write_png(picture, wanted);
-                                       });
-            });
+            window_.end_frame();
         const double end = library_.now();
         pacer_.drawn(start, end);
         if (window_.input_waits()) pacer_.input(end);
         if (ImGui::GetIO().WantTextInput) frame.again(cursor_blink_s);
-        if (!session_.exports.idle()) frame.again(export_progress_s);
+        if (!session_.exports().idle()) frame.again(export_progress_s);
         if (frame.redraw_in < 1e9) pacer_.animate(end, frame.redraw_in);
         if (probe_ != nullptr) probe_->note_frame(end - start, input_at_ ? end - *input_at_ : 0.0);
         input_at_.reset();
@@ -161,7 +159,7 @@ private:
 /// Opens what can be opened and says on stderr what cannot. Error: nothing could.
 Result<Done> open_all(Session& session, const std::vector<std::filesystem::path>& files) {
     for (const auto& file : files)
-        if (!session.open(file)) std::fprintf(stderr, "polariscope: %s\n", session.log.lines().back().text.c_str());
+        if (!session.open(file)) std::fprintf(stderr, "polariscope: %s\n", session.log().lines().back().text.c_str());
     if (!files.empty() && session.documents().empty())
         return Error{ErrorKind::input, "there is nothing to show", {}, {}, "see the messages above"};
     return Done{};
@@ -179,9 +177,10 @@ Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppO
     if (const auto preferences = read_preferences(remembered))
         apply(preferences.value(), session);
     else
-        session.log.add(Severity::warning, to_string(preferences.error()));
-    session.window.theme = options.theme.value_or(session.window.theme);
-    session.window.ui_scale = options.ui_scale.value_or(session.window.ui_scale);
+        session.say(Severity::warning, to_string(preferences.error()));
+    WindowState& state = session.change_window();
+    state.theme = options.theme.value_or(state.theme);
+    state.ui_scale = options.ui_scale.value_or(state.ui_scale);
     if (const auto opened = open_all(session, files); !opened) return opened.error();
     auto window = AppWindow::open(session, options);
     if (!window) return window.error();

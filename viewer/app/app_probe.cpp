@@ -29,16 +29,17 @@ void AppProbe::begin() {
     fs::remove(widgets_.text_log, ignored);
 }
 
-void AppProbe::end(const Session& session, const ViewRect& viewport) {
+void AppProbe::end(const Session& session, const ViewRect& viewport, bool is_final) {
     if (!asked_) return;
-    asked_ = false;
     ImGui::GetIO().UserData = nullptr;
+    if (!is_final) return;
+    asked_ = false;
     ordered_json report;
     report["viewport"] = as_json(viewport);
-    report["scale"] = session.transform.scale;
-    report["offset"] = {session.transform.offset.x, session.transform.offset.y};
-    report["map"] = std::string(info(session.view.quantity).name);
-    if (session.selection.node) report["node"] = *session.selection.node;
+    report["scale"] = session.transform().scale;
+    report["offset"] = {session.transform().offset.x, session.transform().offset.y};
+    report["map"] = std::string(info(session.view().quantity).name);
+    if (session.selection().node) report["node"] = *session.selection().node;
     report["documents"] = session.documents().size();
     if (const Document* document = session.current()) {
         report["document"] = document->path().string();

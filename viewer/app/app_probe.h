@@ -17,13 +17,13 @@ class AppProbe {
 public:
     explicit AppProbe(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// The next frame is written.
+    /// The next frame that leaves nothing to do is written: it shows what has become of all input.
     void ask() { asked_ = true; }
     [[nodiscard]] bool asked() const { return asked_; }
 
-    /// Around the frame that is written, between ImGui::NewFrame() and ImGui::Render().
+    /// Around a frame that may be written, between ImGui::NewFrame() and ImGui::Render().
     void begin();
-    void end(const Session& session, const ViewRect& viewport);
+    void end(const Session& session, const ViewRect& viewport, bool is_final);
 
     /// A frame was drawn; `latency_s` since the first input that it answers, 0 if there was none.
     void note_frame(double cost_s, double latency_s);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "viewer/commands/commands.h"
+#include "viewer/commands/unsaved_edits.h"
 #include "viewer/gl/gl.h"
 #include "viewer/widgets/fonts.h"
 
@@ -60,7 +61,7 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers
     self(window).tell_key(key, scancode, action, modifiers);
     constexpr int foreign = GLFW_MOD_ALT | GLFW_MOD_SUPER;
     Session& session = self(window).session();
-    if (action == GLFW_RELEASE || (modifiers & foreign) != 0 || session.window.modal()) return;
+    if (action == GLFW_RELEASE || (modifiers & foreign) != 0 || session.window().modal()) return;
     const KeyChord chord{key_of(key), (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0};
     if (ImGui::GetIO().WantTextInput && edits_text(chord)) return;
     run_command(session, chord, action == GLFW_REPEAT);
@@ -74,7 +75,7 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
 void on_close(GLFWwindow* window) {
     glfwSetWindowShouldClose(window, GLFW_FALSE);
     self(window).note_input();
-    self(window).session().window.quit = Quit::asked;
+    end_or_ask(self(window).session());
 }
 
 /// Before ImGui's back end puts its own callbacks in front, which call these in turn.
@@ -160,11 +161,11 @@ double AppWindow::begin_frame() {
     float x_scale = 1.0F;
     float y_scale = 1.0F;
     glfwGetWindowContentScale(window_, &x_scale, &y_scale);
-    const double wanted = session_->window.ui_scale;
+    const double wanted = session_->window().ui_scale;
     // Where points are larger than pixels, the system already scales what is drawn in points.
     const double scale = wanted > 0.0 ? wanted : std::max(1.0, x_scale / pixel_ratio());
     if (scale != font_scale_) {
-        if (const auto missing = load_fonts(scale)) session_->log.add(Severity::warning, *missing);
+        if (const auto missing = load_fonts(scale)) session_->say(Severity::warning, *missing);
         if (font_scale_ != 0.0) ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
         font_scale_ = scale;
@@ -238,7 +239,7 @@ void AppWindow::follow(const Session& session) {
         glfwSetWindowTitle(window_, title.c_str());
         title_ = std::move(title);
     }
-    if (session.window.full_screen != full_screen_) set_full_screen(session.window.full_screen);
+    if (session.window().full_screen != full_screen_) set_full_screen(session.window().full_screen);
 }
 
 void AppWindow::set_full_screen(bool full) {

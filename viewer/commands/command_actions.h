@@ -20,16 +20,16 @@ inline bool has_several(const Session& session) {
     return session.documents().size() > 1;
 }
 inline bool is_pinned(const Session& session) {
-    return is_open(session) && session.selection.pinned().has_value();
+    return is_open(session) && session.selection().pinned().has_value();
 }
 inline bool has_tree(const Session& session) {
     return session.explanation() != nullptr;
 }
 inline bool is_free(const Session& session) {
-    return is_open(session) && !session.selection.pinned();
+    return is_open(session) && !session.selection().pinned();
 }
 inline bool is_free_of_several(const Session& session) {
-    return has_several(session) && !session.selection.pinned();
+    return has_several(session) && !session.selection().pinned();
 }
 inline bool is_rendering(const Session& session) {
     return is_open(session) && session.current()->has_scene();
@@ -52,28 +52,26 @@ void show_map(Session& session) {
 }
 template <Quantity quantity>
 bool shows_map(const Session& session) {
-    return session.view.quantity == quantity;
+    return session.view().quantity == quantity;
 }
 template <int by>
 void step_map(Session& session) {
     constexpr int count = static_cast<int>(quantity_count);
-    session.show(static_cast<Quantity>((static_cast<int>(session.view.quantity) + by + count) % count));
+    session.show(static_cast<Quantity>((static_cast<int>(session.view().quantity) + by + count) % count));
 }
 
 template <int by>
 void step_wavelength(Session& session) {
-    const int count = static_cast<int>(session.current()->picture().wavelengths_nm.size());
-    session.view.wavelength =
-        static_cast<std::size_t>(std::clamp(static_cast<int>(session.view.wavelength) + by, 0, count - 1));
+    session.choose_wavelength(static_cast<std::size_t>(std::max(0, static_cast<int>(session.view().wavelength) + by)));
 }
 
 template <MapStyle style>
 void use_style(Session& session) {
-    session.view.style = style;
+    session.change_view().style = style;
 }
 template <MapStyle style>
 bool uses_style(const Session& session) {
-    return session.view.style == style;
+    return session.view().style == style;
 }
 
 inline DVec2 extent(const Session& session) {
@@ -82,11 +80,11 @@ inline DVec2 extent(const Session& session) {
 }
 
 inline void zoom(Session& session, double factor) {
-    session.transform.zoom_at(0.5 * session.view_size, factor);
+    session.change_transform().zoom_at(0.5 * session.view_size(), factor);
 }
 
 inline void one_to_one(Session& session) {
-    session.transform.zoom_at(0.5 * session.view_size, 1.0 / session.transform.scale);
+    session.change_transform().zoom_at(0.5 * session.view_size(), 1.0 / session.transform().scale);
 }
 
 constexpr double stops_per_press = 0.5;
@@ -95,30 +93,32 @@ constexpr double gamma_per_press = 0.1;
 
 template <int sign>
 void step_exposure(Session& session) {
-    session.view.exposure += sign * stops_per_press;
+    session.change_view().exposure += sign * stops_per_press;
 }
 template <int sign>
 void step_offset(Session& session) {
-    session.view.offset += sign * offset_per_press;
+    session.change_view().offset += sign * offset_per_press;
 }
 template <int sign>
 void step_gamma(Session& session) {
-    session.view.gamma = std::max(gamma_per_press, session.view.gamma + sign * gamma_per_press);
+    session.change_view().gamma = std::max(gamma_per_press, session.view().gamma + sign * gamma_per_press);
 }
 
 inline void reset_tone(Session& session) {
     const ViewSettings fresh;
-    session.view.exposure = fresh.exposure;
-    session.view.offset = fresh.offset;
-    session.view.gamma = fresh.gamma;
-    session.view.range = fresh.range;
-    session.view.difference_range = fresh.difference_range;
-    session.view.scale = fresh.scale;
+    ViewSettings& view = session.change_view();
+    view.exposure = fresh.exposure;
+    view.offset = fresh.offset;
+    view.gamma = fresh.gamma;
+    view.range = fresh.range;
+    view.difference_range = fresh.difference_range;
+    view.scale = fresh.scale;
 }
 
 inline void step_glyphs(Session& session) {
     constexpr int count = static_cast<int>(GlyphKind::combined) + 1;
-    session.view.glyphs.kind = static_cast<GlyphKind>((static_cast<int>(session.view.glyphs.kind) + 1) % count);
+    GlyphKind& kind = session.change_view().glyphs.kind;
+    kind = static_cast<GlyphKind>((static_cast<int>(kind) + 1) % count);
 }
 
 template <int dx, int dy>
@@ -133,41 +133,42 @@ void export_tree(Session& session) {
 
 /// What Esc means: what is open on top goes first, then marks, the region, and the pin.
 inline void escape(Session& session) {
-    WindowState& window = session.window;
+    WindowState& window = session.change_window();
     if (window.popup_open)
-        window.close_popups = true;
+        window.popup_open = false;
     else if (window.help_visible)
         window.help_visible = false;
     else if (window.log_visible)
         window.log_visible = false;
-    else if (!session.selection.marked.empty())
-        session.selection.mark({});
-    else if (session.selection.region)
-        session.selection.region.reset();
+    else if (!session.selection().marked.empty())
+        session.mark({});
+    else if (session.selection().region)
+        session.select_region({});
     else
         session.unpin();
 }
 
 template <bool WindowState::*flag>
 void toggle(Session& session) {
-    session.window.*flag = !(session.window.*flag);
+    session.change_window().*flag = !(session.window().*flag);
 }
 template <bool WindowState::*flag>
 bool is_on(const Session& session) {
-    return session.window.*flag;
+    return session.window().*flag;
 }
 
 template <bool ViewSettings::*flag>
 void toggle_view(Session& session) {
-    session.view.*flag = !(session.view.*flag);
+    session.change_view().*flag = !(session.view().*flag);
 }
 template <bool ViewSettings::*flag>
 bool view_has(const Session& session) {
-    return session.view.*flag;
+    return session.view().*flag;
 }
 
 /// Into the scene's file, or a new one (free_export_path). False if that failed; the log says why.
 inline bool save_scene(Session& session) {
+    if (!is_rendering(session)) return false;
     const Document& document = *session.current();
     if (!document.path().empty()) return session.save(document.path());
     return session.save(free_export_path(session, std::filesystem::path(document.name()).stem().string(), ".yaml"));

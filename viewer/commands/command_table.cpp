@@ -6,6 +6,7 @@
 
 #include "viewer/commands/command_actions.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/unsaved_edits.h"
 #include "viewer/session/exports.h"
 #include "viewer/session/map_look.h"
 
@@ -59,8 +60,7 @@ constexpr std::array command_table{
         export_pixels,
         is_open},
     Command{"File", "Close document", ctrl(letter('W')),
-            "Closes the file on screen; asks first if its edits are not saved.",
-            [](Session& s) { s.window.close_asked = true; }, is_open},
+            "Closes the file on screen; asks first if its edits are not saved.", close_or_ask, is_open},
     Command{"File",
             "Next document",
             {Key::down},
@@ -78,7 +78,7 @@ constexpr std::array command_table{
             {},
             true},
     Command{"File", "Quit", ctrl(letter('Q')), "Ends the program; asks first if an edited scene is not saved.",
-            [](Session& s) { s.window.quit = Quit::asked; }},
+            end_or_ask},
 
     Command{"Edit",
             "Undo",
@@ -175,7 +175,7 @@ constexpr std::array command_table{
             "Fit",
             {letter('F')},
             "The whole picture, as large as it can be.",
-            [](Session& s) { s.transform.fit(extent(s), s.view_size); },
+            [](Session& s) { s.change_transform().fit(extent(s), s.view_size()); },
             is_open},
     Command{"View", "One to one", ctrl(letter('0')), "One pixel of the picture per point of the screen.", one_to_one,
             is_open},
@@ -183,7 +183,7 @@ constexpr std::array command_table{
             "Center",
             {letter('C')},
             "Moves the picture to the middle.",
-            [](Session& s) { s.transform.center(extent(s), s.view_size); },
+            [](Session& s) { s.change_transform().center(extent(s), s.view_size()); },
             is_open},
     Command{"View",
             "Zoom in",
@@ -255,11 +255,11 @@ constexpr std::array command_table{
             "Light theme",
             {},
             "Dark on light instead of light on dark.",
-            [](Session& s) { s.window.theme = s.window.theme == Theme::dark ? Theme::light : Theme::dark; },
+            [](Session& s) { s.change_window().theme = s.window().theme == Theme::dark ? Theme::light : Theme::dark; },
             nullptr,
             {},
             false,
-            [](const Session& s) { return s.window.theme == Theme::light; }},
+            [](const Session& s) { return s.window().theme == Theme::light; }},
 
     Command{"Pixel", "Move pin left", {Key::left}, "Pins the neighboring pixel.", nudge<-1, 0>, is_pinned, {}, true},
     Command{"Pixel", "Move pin right", {Key::right}, "Pins the neighboring pixel.", nudge<1, 0>, is_pinned, {}, true},

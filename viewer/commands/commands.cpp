@@ -6,7 +6,7 @@
 namespace pol {
 
 std::string help_of(const Command& command, const Session& session) {
-    return command.map ? session.view.convention.definition(*command.map) : std::string(command.help);
+    return command.map ? session.view().convention.definition(*command.map) : std::string(command.help);
 }
 
 KeyChord chord_of(Quantity quantity) {
@@ -21,6 +21,12 @@ const Command* command_for(const Session& session, const KeyChord& chord) {
         return (command.chord == chord || command.also == chord) && is_enabled(command, session);
     });
     return found == all.end() ? nullptr : &*found;
+}
+
+void wish(Wishes& wishes, const Command& command) {
+    wishes.add([&command](Session& session) {
+        if (is_enabled(command, session)) command.run(session);
+    });
 }
 
 bool run_command(Session& session, const KeyChord& chord, bool held) {

@@ -9,9 +9,11 @@
 
 #include "viewer/commands/keys.h"
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
+/// A row of the table, which lives as long as the program.
 struct Command {
     std::string_view group;  ///< name of the menu and heading in the help
     std::string_view title;  ///< as in the menu
@@ -41,6 +43,9 @@ const Command* command_for(const Session& session, const KeyChord& chord);
 [[nodiscard]] inline bool is_enabled(const Command& command, const Session& session) {
     return command.enabled == nullptr || command.enabled(session);
 }
+
+/// The command is to be run, if it is still enabled then.
+void wish(Wishes& wishes, const Command& command);
 
 /// Runs what `chord` means; false if that is nothing. `held`: the key repeats.
 bool run_command(Session& session, const KeyChord& chord, bool held = false);

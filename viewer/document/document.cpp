@@ -166,8 +166,10 @@ void Document::show(std::shared_ptr<StokesImage> picture) {
     ++version_;
 }
 
-std::vector<TileRect> Document::take_changes() {
-    return std::exchange(changes_, {});
+std::vector<TileRect> Document::changes_since(std::uint64_t version) const {
+    const std::uint64_t count = version_ - std::min(version, version_);
+    if (count > changes_.size()) return {whole(*picture_)};
+    return {changes_.end() - static_cast<std::ptrdiff_t>(count), changes_.end()};
 }
 
 bool Document::update(double seconds) {
@@ -232,9 +234,9 @@ void Document::paste(const TileSnapshot& tile) {
         planes(none, to.tail, 0.0);
     }
     changes_.push_back(tile.rect);
-    constexpr std::size_t many = 4096;  // nobody takes the changes of a document that is not on screen
-    if (changes_.size() > many) changes_ = {whole(to)};
     ++version_;
+    constexpr std::ptrdiff_t many = 4096;  // whoever lags further behind looks at the whole picture
+    if (changes_.size() > 2 * many) changes_.erase(changes_.begin(), changes_.end() - many);
 }
 
 std::shared_ptr<const StokesImage> Document::lend_picture() const {

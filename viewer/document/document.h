@@ -67,8 +67,8 @@ public:
     /// no other document has.
     [[nodiscard]] std::uint64_t picture_version() const { return version_; }
     [[nodiscard]] std::uint64_t picture_layout() const { return layout_; }
-    /// Parts that changed since the last call, for whoever keeps a copy (the textures).
-    std::vector<TileRect> take_changes();
+    /// Parts that changed since the picture was of `version`, for whoever keeps a copy of it (the textures).
+    [[nodiscard]] std::vector<TileRect> changes_since(std::uint64_t version) const;
 
     /// Fetches tiles that the workers have finished, for about `seconds`; each in its turn, so that none starves. True
     /// if that was too short: the picture still lacks something that could be fetched at once.
@@ -165,7 +165,7 @@ private:
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<StokesImage> picture_;
     std::shared_ptr<std::atomic<int>> lent_;  // how often picture_ is lent
-    std::vector<TileRect> changes_;
+    std::vector<TileRect> changes_;  // by the newest versions, the last one being version_; before them, all changed
     std::uint64_t version_ = 0;
     std::uint64_t layout_ = 0;
     StopRules stop_rules_;

@@ -11,7 +11,7 @@ FactPage make_fact_page(const Session& session) {
     page.fact = shown.fact;
     page.view = &shown.fact->views[shown.view];
     const PixelAddress pixel{page.view->x, page.view->y};
-    page.pinned = session.selection.pinned() == pixel && session.selection.sample == 0;
+    page.pinned = session.selection().pinned() == pixel && session.selection().sample == 0;
 
     std::shared_ptr<const Explanation> explanation = page.pinned ? session.explanation() : nullptr;
     if (explanation && (!explanation->exact() || explanation->result.failures != 0)) {

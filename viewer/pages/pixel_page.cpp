@@ -244,7 +244,7 @@ PageGroup measures_group(const PixelPage& page, const PixelLight& light, const C
 /// The angle of the frame on screen; 0 where there is no such frame.
 double shown_angle(const Session& session) {
     std::string trouble;
-    return frame_angle(session.page, camera_axes(*session.current(), *session.selection.pinned()), trouble);
+    return frame_angle(session.page(), camera_axes(*session.current(), *session.selection().pinned()), trouble);
 }
 
 PageGroup making_group(const PixelReading& reading, const WavelengthReading& at) {
@@ -295,18 +295,18 @@ std::string exact_text(const Complex<double>& z) {
 }
 
 PixelPage make_pixel_page(const Session& session) {
-    const PageSettings& settings = session.page;
-    const Convention& convention = session.view.convention;
+    const PageSettings& settings = session.page();
+    const Convention& convention = session.view().convention;
     const Document& document = *session.current();
     PixelPage page;
-    const PixelAddress pixel = *session.selection.pinned();
+    const PixelAddress pixel = *session.selection().pinned();
     page.pixel = {document.picture().left + pixel.x, document.picture().top + pixel.y};
     page.convention = convention.text();
     // The frame is turned before the convention labels it.
     const PixelReading reading = read_pixel(session, pixel, Convention{});
-    WavelengthReading at = reading.wavelengths[std::min(session.view.wavelength, reading.wavelengths.size() - 1)];
+    WavelengthReading at = reading.wavelengths[std::min(session.view().wavelength, reading.wavelengths.size() - 1)];
     if (reading.samples == 0U && session.explanation() != nullptr) {
-        at = reading_of(*session.explanation(), *document.plan(), session.polarimeter);
+        at = reading_of(*session.explanation(), *document.plan(), session.polarimeter());
         page.from_tree = true;
     }
     page.wavelength_nm = at.wavelength_nm;
@@ -331,12 +331,12 @@ PixelPage make_pixel_page(const Session& session) {
 
 PageAxes page_axes(const Session& session) {
     const double angle = shown_angle(session);
-    return {session.view.convention.x_sign() * DVec2(std::cos(angle), -std::sin(angle)),
+    return {session.view().convention.x_sign() * DVec2(std::cos(angle), -std::sin(angle)),
             {-std::sin(angle), -std::cos(angle)}};
 }
 
 std::vector<PageCurve> spectrum_curves(const Session& session) {
-    const PixelReading reading = read_pixel(session, *session.selection.pinned(), Convention{});
+    const PixelReading reading = read_pixel(session, *session.selection().pinned(), Convention{});
     const double angle = shown_angle(session);
     std::vector<PageCurve> curves;
     PageCurve s0{"S0", {}, {}, 0.0, 0.0, false};
@@ -357,7 +357,7 @@ std::vector<PageCurve> spectrum_curves(const Session& session) {
         if (!about.unit.empty()) curve.name += fmt::format(" ({})", about.unit);
         for (const WavelengthReading& at : reading.wavelengths) {
             PixelLight light = at.light;
-            light.stokes = session.view.convention.stokes(rotate_basis(at.light.stokes, angle));
+            light.stokes = session.view().convention.stokes(rotate_basis(at.light.stokes, angle));
             const QuantityReading shown = read_light(light, quantity, 1.0);
             const MapPixel& pixel = shown.pixel;
             curve.values.push_back(pixel.state == PixelState::defined ? std::optional(pixel.value) : std::nullopt);

@@ -14,7 +14,7 @@ QuantityReading PixelReading::quantity(Quantity quantity, std::size_t wavelength
 
 PixelReading read_pixel(const Session& session, PixelAddress address, const Convention& convention) {
     const StokesImage& picture = session.current()->picture();
-    const ShownPicture shown(picture, session.polarimeter, convention);
+    const ShownPicture shown(picture, session.polarimeter(), convention);
     const std::size_t pixel = picture.pixel(address.x, address.y);
     PixelReading reading;
     reading.address = address;

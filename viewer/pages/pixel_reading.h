@@ -40,7 +40,7 @@ struct PixelReading {
 PixelReading read_pixel(const Session& session, PixelAddress address, const Convention& convention);
 /// The same in the shown convention.
 inline PixelReading read_pixel(const Session& session, PixelAddress address) {
-    return read_pixel(session, address, session.view.convention);
+    return read_pixel(session, address, session.view().convention);
 }
 
 }  // namespace pol

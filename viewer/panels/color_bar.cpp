@@ -28,13 +28,13 @@ std::string percentage(std::size_t count, std::size_t total) {
 }
 
 std::string title_of(const Session& session) {
-    const QuantityInfo& about = info(session.view.quantity);
+    const QuantityInfo& about = info(session.view().quantity);
     if (about.quantity == Quantity::color) return std::string(about.title);
-    const double nm = session.current()->picture().wavelengths_nm[session.view.wavelength];
+    const double nm = session.current()->picture().wavelengths_nm[session.view().wavelength];
     const std::string unit = about.unit.empty() || about.unit == "\u00b0" ? "" : fmt::format(" ({})", about.unit);
     const auto comparison = session.comparison();
     const std::string minus = comparison ? " minus that of " + comparison->reference->name() : "";
-    const Convention& convention = session.view.convention;
+    const Convention& convention = session.view().convention;
     const bool is_other = convention.stokes_text() != Convention{}.stokes_text();
     const std::string labels = is_other && depends_on_convention(about.quantity) ? ", " + convention.stokes_text() : "";
     return fmt::format("{}{}{}, {:.6g} nm{}", about.title, minus, unit, nm, labels);
@@ -54,7 +54,7 @@ void draw_state_box(ImDrawList& list, ImVec2 at, float size, PixelState state, b
 }
 
 void draw_legend(const Session& session, const MapScale& scale) {
-    const MapSummary& summary = session.shown_map.summary();
+    const MapSummary& summary = session.shown_map().summary();
     for (std::size_t i = 1; i < pixel_state_count; ++i) {
         const auto state = static_cast<PixelState>(i);
         if (summary.state[i] == 0) continue;
@@ -68,7 +68,7 @@ void draw_legend(const Session& session, const MapScale& scale) {
             fmt::format("{} {}", state_text(state), percentage(summary.state[i], summary.pixels)).c_str());
         tooltip(std::string(state_definition(state)).c_str());
     }
-    if (!session.view.fade_by_bar || !scale.can_fade() || scale.kind == ScaleKind::color) return;
+    if (!session.view().fade_by_bar || !scale.can_fade() || scale.kind == ScaleKind::color) return;
     ImGui::SameLine(0.0F, 14.0F);
     ImGui::TextUnformatted("fades with the error bar");
     tooltip("Full color: exact. Gray: the bar covers half of the range.");
@@ -88,7 +88,7 @@ void draw_scale(ImDrawList& list, ImVec2 at, float width, ColorScale scale) {
 void draw_ticks(ImDrawList& list, ImVec2 at, float width, const Session& session) {
     const MapRange range = bar_range(session);
     const ScaleWords words = map_options(session).words;
-    const QuantityInfo& about = info(session.view.quantity);
+    const QuantityInfo& about = info(session.view().quantity);
     const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
     const std::string unit(about.unit == "\u00b0" ? about.unit : "");
     for (const double tick : bar_ticks(range, map_look(session).kind)) {
@@ -107,14 +107,14 @@ float color_bar_height() {
     return 2.0F * ImGui::GetTextLineHeightWithSpacing() + bar_thickness + tick_length;
 }
 
-void ColorBar::draw(Session& session, float width) {
+void ColorBar::draw(const Session& session, Wishes& wishes, float width) {
     ImGui::TextUnformatted(title_of(session).c_str());
-    tooltip(session.view.convention.definition(session.view.quantity).c_str());
+    tooltip(session.view().convention.definition(session.view().quantity).c_str());
     const MapScale scale = map_look(session);
     draw_legend(session, scale);
-    if (session.view.quantity == Quantity::color) {
-        ImGui::TextDisabled("exposure %+.2f stops, offset %+.2f, gamma %.2f", session.view.exposure,
-                            session.view.offset, session.view.gamma);
+    if (session.view().quantity == Quantity::color) {
+        ImGui::TextDisabled("exposure %+.2f stops, offset %+.2f, gamma %.2f", session.view().exposure,
+                            session.view().offset, session.view().gamma);
         return;
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -123,11 +123,14 @@ void ColorBar::draw(Session& session, float width) {
     ImGui::InvisibleButton("color bar", {width, bar_thickness + tick_length + ImGui::GetTextLineHeight()},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget("color bar");
-    if (can_move_range(session)) edit(session, width);
+    if (can_move_range(session)) edit(session, wishes, width);
     draw_ticks(list, {at.x, at.y + bar_thickness}, width, session);
 }
 
-void ColorBar::edit(Session& session, float width) {
+void ColorBar::edit(const Session& session, Wishes& wishes, float width) {
+    const auto set_range = [&wishes](const MapRange& range) {
+        wishes.add([range](Session& s) { set_bar_range(s, range); });
+    };
     tooltip(
         "Drag an end to move it, the middle to move both; double click: the quantity's own range; right click: "
         "type numbers. N fits the range to the picture.");
@@ -138,7 +141,7 @@ void ColorBar::edit(Session& session, float width) {
         grabbed_ = bar_range(session);
     }
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        reset_bar_range(session);
+        wishes.add(reset_bar_range);
         handle_ = Handle::none;
     }
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0F)) {
@@ -147,15 +150,15 @@ void ColorBar::edit(Session& session, float width) {
         MapRange moved = grabbed_;
         if (handle_ == Handle::low || handle_ == Handle::both) moved.low += by;
         if (handle_ == Handle::high || handle_ == Handle::both) moved.high += by;
-        if (handle_ != Handle::none) set_bar_range(session, moved);
+        if (handle_ != Handle::none) set_range(moved);
     }
     if (!ImGui::BeginPopupContextItem("range")) return;
     MapRange typed = bar_range(session);
     bool changed = ImGui::InputDouble("low", &typed.low, 0.0, 0.0, "%.6g");
     changed |= ImGui::InputDouble("high", &typed.high, 0.0, 0.0, "%.6g");
-    if (changed) set_bar_range(session, typed);
-    if (ImGui::MenuItem("Fit to the picture", "N")) fit_bar_range(session);
-    if (ImGui::MenuItem("The quantity's own")) reset_bar_range(session);
+    if (changed) set_range(typed);
+    if (ImGui::MenuItem("Fit to the picture", "N")) wishes.add(fit_bar_range);
+    if (ImGui::MenuItem("The quantity's own")) wishes.add(reset_bar_range);
     ImGui::EndPopup();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
@@ -13,11 +14,11 @@ float color_bar_height();
 /// of the bar can be dragged, a double click gives them back; the right button types numbers.
 class ColorBar {
 public:
-    void draw(Session& session, float width);
+    void draw(const Session& session, Wishes& wishes, float width);
 
 private:
     enum class Handle { none, low, high, both };
-    void edit(Session& session, float width);
+    void edit(const Session& session, Wishes& wishes, float width);
 
     Handle handle_ = Handle::none;
     MapRange grabbed_{};

@@ -35,8 +35,8 @@ std::vector<const Command*> matches(const Session& session, std::string_view typ
 
 }  // namespace
 
-void CommandPalette::draw(Session& session) {
-    bool& visible = session.window.palette_visible;
+void CommandPalette::draw(const Session& session, Wishes& wishes) {
+    bool visible = session.window().palette_visible;
     constexpr const char* name = "Find a command";
     if (visible && !ImGui::IsPopupOpen(name)) {
         typed_.clear();
@@ -47,7 +47,10 @@ void CommandPalette::draw(Session& session) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.5F * display.x, 0.15F * display.y}, ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSize({34.0F * em, 0.0F});
-    if (!ImGui::BeginPopupModal(name, &visible, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
+    if (!ImGui::BeginPopupModal(name, &visible, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
+        if (visible != session.window().palette_visible) wishes.set(&WindowState::palette_visible, visible);
+        return;
+    }
     log_window();
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0F);
@@ -80,7 +83,8 @@ void CommandPalette::draw(Session& session) {
     if (run != nullptr) visible = false;
     if (!visible) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (run != nullptr) run->run(session);
+    if (!visible) wishes.set(&WindowState::palette_visible, false);
+    if (run != nullptr) wish(wishes, *run);
 }
 
 }  // namespace pol

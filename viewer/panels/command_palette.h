@@ -4,13 +4,14 @@
 #include <string>
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
-/// Finds a command by a part of its name, while session.window.palette_visible.
+/// Finds a command by a part of its name, while WindowState::palette_visible.
 class CommandPalette {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 
 private:
     std::string typed_;

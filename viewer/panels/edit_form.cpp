@@ -54,7 +54,7 @@ void EditForm::whole(const std::string& label, int& value, float per_point, cons
 void EditForm::flag(const std::string& label, bool& value, const char* hint) {
     const bool changed = ImGui::Checkbox(label.c_str(), &value);
     after(label, changed, hint);
-    if (changed) document_.end_edit();
+    if (changed) wish_end();
 }
 
 int EditForm::choice(const std::string& label, int current, std::span<const std::string> names, const char* hint) {
@@ -73,27 +73,37 @@ int EditForm::choice(const std::string& label, int current, std::span<const std:
     return taken;
 }
 
-bool EditForm::apply(const std::string& label) {
-    document_.end_edit();
-    const bool accepted = static_cast<bool>(document_.edit(scene, label));
-    document_.end_edit();
-    scene = document_.scene();
-    return accepted;
+void EditForm::apply(const std::string& label) {
+    wish_end();
+    wish_edit(label);
+    wish_end();
+}
+
+void EditForm::refuse(const std::string& label, const Error& error) {
+    wishes_.add([of = session_.current(), label, error](Session& s) { s.refuse_edit(of, label, error); });
+}
+
+void EditForm::wish_edit(const std::string& label) {
+    wishes_.add([of = session_.current(), edited = scene, label](Session& s) { s.edit(of, edited, label); });
+}
+
+void EditForm::wish_end() {
+    wishes_.add([of = session_.current()](Session& s) { s.end_edit(of); });
 }
 
 void EditForm::after(const std::string& label, bool changed, const char* hint) {
     name_widget("field " + visible(label));
     if (ImGui::IsItemHovered() && hint[0] != '\0') ImGui::SetTooltip("%s", hint);
     const bool ended = ImGui::IsItemDeactivatedAfterEdit();
-    if (changed && !document_.edit(scene, label)) scene = document_.scene();
-    if (ended) document_.end_edit();
+    if (changed) wish_edit(label);
+    if (ended) wish_end();
     complaint(label);
 }
 
 void EditForm::complaint(const std::string& label) const {
-    const auto& refused = document_.refused();
+    const auto& refused = session_.current()->refused();
     if (!refused || refused->label != label) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, colors(theme_).error);
+    ImGui::PushStyleColor(ImGuiCol_Text, colors(session_.window().theme).error);
     std::string text = refused->error.what;
     if (!refused->error.hint.empty()) text += "\n" + refused->error.hint;
     ImGui::TextWrapped("%s", text.c_str());

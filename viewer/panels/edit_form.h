@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Widgets that edit a document's scene: each change is an edit of its own, a drag is one step of undo, and what cannot
-// be rendered is explained under the field that asked for it.
+// Widgets that edit the current document's scene: each change is an edit of its own, a drag is one step of undo, and
+// what cannot be rendered is explained under the field that asked for it.
 #pragma once
 
 #include <span>
 #include <string>
+#include <vector>
 
-#include "viewer/document/document.h"
-#include "viewer/session/window_state.h"
+#include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
@@ -17,10 +18,17 @@ bool drag_angle(const std::string& label, double& angle_rad);
 /// Made anew for every frame. A field's label names its edit; `hint` is its tooltip.
 class EditForm {
 public:
-    EditForm(Document& document, Theme theme) : scene(document.scene()), document_(document), theme_(theme) {}
+    /// Requires: a scene is shown.
+    EditForm(const Session& session, Wishes& wishes)
+        : scene(session.current()->scene()), session_(session), wishes_(wishes) {}
 
-    /// The scene as it is; fields change it and hand it to the document.
+    /// The scene as it is; fields change it and wish that the document has it so.
     Scene scene;
+
+    /// Names of the measured refractive indices that ship with the program.
+    [[nodiscard]] const std::vector<std::string>& index_records() const {
+        return session_.shipped_files().index_records;
+    }
 
     /// Drag or Ctrl+click and type. `per_point`: how much one point of the mouse changes.
     void number(const std::string& label, double& value, double per_point, const char* hint = "");
@@ -31,20 +39,23 @@ public:
     void flag(const std::string& label, bool& value, const char* hint = "");
     /// Returns the index of the choice that was taken, or -1.
     int choice(const std::string& label, int current, std::span<const std::string> names, const char* hint = "");
-    /// Hands the scene, changed by the caller as a whole, to the document. False if it was refused.
-    bool apply(const std::string& label);
+    /// To be called after the caller has changed the scene: one step of undo.
+    void apply(const std::string& label);
 
     /// To be called after a widget that changed the scene if `changed`.
     void after(const std::string& label, bool changed, const char* hint);
     /// What was typed is not even a value.
-    void refuse(const std::string& label, const Error& error) { document_.refuse(label, error); }
+    void refuse(const std::string& label, const Error& error);
 
     /// A refusal of an edit of that label, in words; nothing if there is none.
     void complaint(const std::string& label) const;
 
 private:
-    Document& document_;
-    Theme theme_;
+    void wish_edit(const std::string& label);
+    void wish_end();
+
+    const Session& session_;
+    Wishes& wishes_;
 };
 
 }  // namespace pol

@@ -58,7 +58,7 @@ void draw_row(const FactRow& row, const ThemeColors& color) {
 
 }  // namespace
 
-void draw_fact_panel(Session& session) {
+void draw_fact_panel(const Session& session, Wishes& wishes) {
     const FactPage page = make_fact_page(session);
     ImGui::TextWrapped("%s  %s", page.fact->id.c_str(), page.fact->sentence.c_str());
     dim_text("Source: " + page.fact->source);
@@ -66,17 +66,17 @@ void draw_fact_panel(Session& session) {
 
     if (!page.pinned) {
         ImGui::TextWrapped("The fact is about pixel %d,%d.", page.view->x, page.view->y);
-        if (ImGui::Button("Pin it")) session.pin_fact();
+        if (ImGui::Button("Pin it")) wishes.add(&Session::pin_fact);
         name_widget("button Pin it");
     } else if (!page.trouble.empty()) {
-        ImGui::TextColored(colors(session.window.theme).error, "%s", page.trouble.c_str());
+        ImGui::TextColored(colors(session.window().theme).error, "%s", page.trouble.c_str());
     } else {
-        draw_tree_state(session);
+        draw_tree_state(session, wishes);
     }
-    say_tracers_convention(session.view.convention);
+    say_tracers_convention(session.view().convention);
     for (const FactRow& row : page.rows) {
         ImGui::PushID(row.reading);
-        draw_row(row, colors(session.window.theme));
+        draw_row(row, colors(session.window().theme));
         ImGui::PopID();
     }
 }

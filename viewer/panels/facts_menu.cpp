@@ -15,32 +15,37 @@ namespace pol {
 
 namespace {
 
-void draw_views(Session& session, const verify::Fact& fact) {
+/// Facts live as long as the program.
+void open(Wishes& wishes, const verify::Fact& fact, std::size_t view) {
+    wishes.add([&fact, view](Session& session) { session.open_fact(fact, view); });
+}
+
+void draw_views(Wishes& wishes, const verify::Fact& fact) {
     for (std::size_t view = 0; view < fact.views.size(); ++view) {
-        if (ImGui::MenuItem(fact.views[view].name.c_str())) session.open_fact(fact, view);
+        if (ImGui::MenuItem(fact.views[view].name.c_str())) open(wishes, fact, view);
         name_widget("fact " + fact.id + " view " + std::to_string(view + 1));
         tooltip(fact.source.c_str());
     }
 }
 
-void draw_fact(Session& session, const verify::Fact& fact) {
+void draw_fact(Wishes& wishes, const verify::Fact& fact) {
     const std::string title = fact.id + "  " + fact.sentence;
     if (fact.views.size() > 1) {
         const bool open = ImGui::BeginMenu(title.c_str());
         name_widget("fact " + fact.id);
         if (!open) return;
-        draw_views(session, fact);
+        draw_views(wishes, fact);
         ImGui::EndMenu();
         return;
     }
-    if (ImGui::MenuItem(title.c_str(), nullptr, false, !fact.views.empty())) session.open_fact(fact, 0);
+    if (ImGui::MenuItem(title.c_str(), nullptr, false, !fact.views.empty())) open(wishes, fact, 0);
     name_widget("fact " + fact.id);
     tooltip((fact.not_modelled.empty() ? fact.source : "Not modelled: " + fact.not_modelled).c_str());
 }
 
 }  // namespace
 
-void draw_facts_menu(Session& session) {
+void draw_facts_menu(Wishes& wishes) {
     constexpr std::size_t per_group = 10;
     const bool facts_open = ImGui::BeginMenu("Facts");
     name_widget("menu Facts");
@@ -51,7 +56,7 @@ void draw_facts_menu(Session& session) {
         const bool open = ImGui::BeginMenu((facts[first].id + " to " + facts[end - 1].id).c_str());
         name_widget("facts from " + facts[first].id);
         if (!open) continue;
-        for (std::size_t i = first; i < end; ++i) draw_fact(session, facts[i]);
+        for (std::size_t i = first; i < end; ++i) draw_fact(wishes, facts[i]);
         ImGui::EndMenu();
     }
     ImGui::EndMenu();

@@ -53,26 +53,26 @@ void draw_ellipse(ImDrawList& list, const DVec2& center, const Glyph& glyph, dou
 
 }  // namespace
 
-void GlyphOverlay::draw(const Session& session, const ViewRect& viewport, const TileRect& seen) {
-    const GlyphSettings& settings = session.view.glyphs;
+void GlyphOverlay::draw(const Session& session, const PlacedPicture& placed, const TileRect& seen) {
+    const GlyphSettings& settings = session.view().glyphs;
     if (settings.kind == GlyphKind::none) return;
     const Document& document = *session.current();
     const Source source{document.picture_layout(),
                         document.picture_version(),
-                        session.view.wavelength,
-                        glyph_cell(settings, session.transform.scale),
+                        session.view().wavelength,
+                        glyph_cell(settings, placed.transform.scale),
                         {seen.x0, seen.y0, seen.x1, seen.y1},
-                        session.polarimeter};
+                        session.polarimeter()};
     if (!(source == source_)) {
         glyphs_ =
-            glyphs_of(ShownPicture(document.picture(), session.polarimeter), source.wavelength, source.cell, seen);
+            glyphs_of(ShownPicture(document.picture(), session.polarimeter()), source.wavelength, source.cell, seen);
         source_ = source;
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const Glyph& glyph : glyphs_) {
-        const DVec2 center = viewport.origin + session.transform.view_from_picture(glyph.center);
+        const DVec2 center = placed.window_from_picture(glyph.center);
         const double radius = glyph_radius(glyph, settings);
-        const ImU32 color = handedness_ink(glyph, session.view.convention);
+        const ImU32 color = handedness_ink(glyph, session.view().convention);
         const bool is_line = std::abs(glyph.ellipticity) < looks_linear;
         if (settings.kind == GlyphKind::azimuth_strokes) {
             draw_stroke(list, center, glyph, radius,

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "viewer/panels/placed_picture.h"
 #include "viewer/session/session.h"
 #include "viewer/shown/glyphs.h"
-#include "viewer/widgets/frame.h"
 
 namespace pol {
 
@@ -16,7 +16,7 @@ namespace pol {
 class GlyphOverlay {
 public:
     /// Requires: a document is shown. `seen`: pixels in the viewport.
-    void draw(const Session& session, const ViewRect& viewport, const TileRect& seen);
+    void draw(const Session& session, const PlacedPicture& placed, const TileRect& seen);
 
 private:
     /// What the glyphs were made from.

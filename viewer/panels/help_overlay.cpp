@@ -91,12 +91,12 @@ std::vector<std::vector<Group>> in_columns(const std::vector<Group>& groups, std
 void draw_column(const std::vector<Group>& column, bool last, int index, const Session& session) {
     if (!ImGui::BeginTable(("keys" + std::to_string(index)).c_str(), 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (const Group& group : column) {
-        heading(session.window.theme, group.name);
+        heading(session.window().theme, group.name);
         for (const Command* command : group.commands)
             row(keys_of(*command), std::string(command->title), help_of(*command, session));
     }
     if (last) {
-        heading(session.window.theme, "Mouse, on the picture");
+        heading(session.window().theme, "Mouse, on the picture");
         for (const MouseHelp& help : mouse_help) row(help.what, help.does, {});
     }
     ImGui::EndTable();
@@ -104,15 +104,16 @@ void draw_column(const std::vector<Group>& column, bool last, int index, const S
 
 }  // namespace
 
-void draw_help_overlay(Session& session) {
-    WindowState& window = session.window;
+void draw_help_overlay(const Session& session, Wishes& wishes) {
+    const WindowState& window = session.window();
     if (!window.help_visible) return;
+    bool visible = true;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5F * display.x, 0.5F * display.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {0.98F * display.x, 0.98F * display.y});
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
-    if (ImGui::Begin("Keys and mouse", &window.help_visible, flags)) {
+    if (ImGui::Begin("Keys and mouse", &visible, flags)) {
         log_window();
         const float width_of_four = 80.0F * ImGui::GetFontSize();
         const auto columns = in_columns(groups_with_keys(), display.x > width_of_four ? 4 : 3);
@@ -125,6 +126,7 @@ void draw_help_overlay(Session& session) {
         ImGui::TextDisabled("Esc closes this help. The arrow keys move the pin while a pixel is pinned.");
     }
     ImGui::End();
+    if (!visible) wishes.set(&WindowState::help_visible, false);
 }
 
 }  // namespace pol

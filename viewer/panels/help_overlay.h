@@ -2,10 +2,11 @@
 #pragma once
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
-/// Keys and mouse at a glance, made from commands(), while session.window.help_visible.
-void draw_help_overlay(Session& session);
+/// Keys and mouse at a glance, made from commands(), while WindowState::help_visible.
+void draw_help_overlay(const Session& session, Wishes& wishes);
 
 }  // namespace pol

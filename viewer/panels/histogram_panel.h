@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 #include "viewer/shown/histogram.h"
 
 namespace pol {
@@ -14,19 +14,17 @@ namespace pol {
 /// pixels without a value are counted below, by state, and marked by a click.
 class HistogramPanel {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 
 private:
     void draw_bars(const Session& session, const DVec2& origin, const DVec2& size) const;
-    void brush(Session& session, const DVec2& origin, const DVec2& size);
-    void count_states(Session& session);
+    void brush(const Session& session, Wishes& wishes, const DVec2& origin, const DVec2& size);
+    void count_states(const Session& session, Wishes& wishes);
 
     bool is_logarithmic_ = false;
     std::uint64_t map_version_ = 0;
     Histogram histogram_;
-    double brush_from_ = 0.0;
-    std::optional<MapRange> brush_;  // values, while its marks stand
-    std::uint64_t brush_marks_version_ = 0;
+    double brush_from_ = 0.0;  // value where the drag began
 };
 
 }  // namespace pol

@@ -17,11 +17,11 @@ namespace pol {
 namespace {
 
 std::string first_line(const Session& session, const PixelReading& reading, bool is_pinned) {
-    const Quantity quantity = session.view.quantity;
+    const Quantity quantity = session.view().quantity;
     const StokesImage& picture = session.current()->picture();
     const std::string place = fmt::format("x {}  y {}{}", picture.left + reading.address.x,
                                           picture.top + reading.address.y, is_pinned ? " (pinned)" : "");
-    const std::string polarimeter = session.polarimeter.empty() ? "" : "  behind the polarimeter";
+    const std::string polarimeter = session.polarimeter().empty() ? "" : "  behind the polarimeter";
     if (quantity == Quantity::color) {
         const double size =
             std::max({std::abs(reading.color[0]), std::abs(reading.color[1]), std::abs(reading.color[2])});
@@ -29,7 +29,7 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
                            short_number(reading.color[1], 4, size), short_number(reading.color[2], 4, size),
                            polarimeter);
     }
-    const double nm = reading.wavelengths[session.view.wavelength].wavelength_nm;
+    const double nm = reading.wavelengths[session.view().wavelength].wavelength_nm;
     if (session.comparison()) {
         const ShownQuantity both = session.shown_quantity();
         const std::size_t pixel = session.current()->picture().pixel(reading.address.x, reading.address.y);
@@ -37,13 +37,13 @@ std::string first_line(const Session& session, const PixelReading& reading, bool
                            value_text(quantity, both.own(pixel), 6), value_text(quantity, both.of_reference(pixel), 6),
                            reading_text(quantity, both.reading(pixel)), nm, polarimeter);
     }
-    const QuantityReading value = reading.quantity(quantity, session.view.wavelength);
+    const QuantityReading value = reading.quantity(quantity, session.view().wavelength);
     return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, reading_text(quantity, value), nm,
                        polarimeter);
 }
 
 std::string second_line(const Session& session, const PixelReading& reading) {
-    const PixelLight& light = reading.wavelengths[session.view.wavelength].light;
+    const PixelLight& light = reading.wavelengths[session.view().wavelength].light;
     const Stokes<double>& s = light.stokes;
     const auto bars = stokes_bars(light);
     const auto number = [&](double value, Interval<double> MeasureBounds<double>::*bar) {
@@ -56,9 +56,9 @@ std::string second_line(const Session& session, const PixelReading& reading) {
     text += fmt::format("  not traced {}", short_number(light.residual, 3));
     if (reading.samples) text += fmt::format("  samples {}", *reading.samples);
     if (reading.failures && *reading.failures > 0) text += fmt::format("  failed {}", *reading.failures);
-    if (session.view.convention != Convention{}) text += "  " + session.view.convention.stokes_text();
+    if (session.view().convention != Convention{}) text += "  " + session.view().convention.stokes_text();
     // The inspector may write the same light in another frame.
-    if (session.page.frame != FrameChoice::camera) text += "  camera frame";
+    if (session.page().frame != FrameChoice::camera) text += "  camera frame";
     return text;
 }
 
@@ -69,8 +69,8 @@ float hover_readout_height() {
 }
 
 void draw_hover_readout(const Session& session) {
-    const auto& hovered = session.selection.hovered;
-    const auto at = hovered ? hovered : session.selection.pinned();
+    const auto& hovered = session.selection().hovered;
+    const auto at = hovered ? hovered : session.selection().pinned();
     if (!at) {
         ImGui::TextDisabled("Click a pixel to pin it; drag to pan; wheel to zoom; Shift and drag for a region");
         return;

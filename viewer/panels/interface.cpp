@@ -19,6 +19,7 @@
 #include "viewer/panels/status_line.h"
 #include "viewer/panels/unsaved_dialog.h"
 #include "viewer/panels/view_controls.h"
+#include "viewer/panels/welcome.h"
 #include "viewer/widgets/section.h"
 #include "viewer/widgets/theme.h"
 #include "viewer/widgets/widget_map.h"
@@ -85,12 +86,6 @@ void tab(bool here, const char* name, const Draw& draw, ImGuiTabItemFlags flags 
     ImGui::EndTabItem();
 }
 
-/// Menus, combos and what else closes by a click beside it. Modal questions close themselves.
-void close_popups(WindowState& state) {
-    if (std::exchange(state.close_popups, false) && ImGui::GetCurrentContext()->OpenPopupStack.Size > 0)
-        ImGui::ClosePopupToLevel(0, true);
-}
-
 bool any_popup_open() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -110,94 +105,101 @@ Widths fitting(const Layout& layout, float window, double scale) {
 
 }  // namespace
 
-void Interface::draw_left(Session& session) {
-    section("Maps", [&] { maps_.draw(session); });
+void Interface::draw_left(const Session& session, Wishes& wishes) {
+    section("Maps", [&] { maps_.draw(session, wishes); });
     if (session.current() == nullptr) return;
-    section("View", [&] { draw_view_controls(session); });
-    section("Histogram", [&] { histogram_.draw(session); });
-    section("Ellipses", [&] { draw_glyph_controls(session.view); });
-    section("Polarimeter", [&] { draw_polarimeter_panel(session); });
+    section("View", [&] { draw_view_controls(session, wishes); });
+    section("Histogram", [&] { histogram_.draw(session, wishes); });
+    section("Ellipses", [&] { draw_glyph_controls(session.view(), wishes); });
+    section("Polarimeter", [&] { draw_polarimeter_panel(session, wishes); });
 }
 
-void Interface::draw_tabs(Session& session, Stack stack) {
+void Interface::draw_tabs(const Session& session, Wishes& wishes, Stack stack) {
     if (!ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) return;
     const bool upper = stack != Stack::lower;
     const bool lower = stack != Stack::upper;
-    tab(upper, "Pixel", [&] { pixel_.draw(session); });
-    tab(upper, "Scene", [&] { scene_.draw(session); });
+    tab(upper, "Pixel", [&] { pixel_.draw(session, wishes); });
+    tab(upper, "Scene", [&] { scene_.draw(session, wishes); });
     if (upper && session.current() != nullptr && session.current()->fact()) {
-        const bool to_front = std::exchange(session.window.fact_to_front, false);
+        const bool to_front = std::exchange(facts_opened_, session.facts_opened()) != session.facts_opened();
         tab(
-            true, "Fact", [&] { draw_fact_panel(session); },
+            true, "Fact", [&] { draw_fact_panel(session, wishes); },
             to_front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     }
-    tab(lower, "Paths", [&] { of_tree_->paths.draw(session); });
-    tab(lower, "Table", [&] { of_tree_->rays.draw(session); });
-    tab(lower, "3-D", [&] { of_tree_->space.draw(session); });
-    tab(lower, "Sphere", [&] { sphere_.draw(session); });
+    tab(lower, "Paths", [&] { of_tree_->paths.draw(session, wishes); });
+    tab(lower, "Table", [&] { of_tree_->rays.draw(session, wishes); });
+    tab(lower, "3-D", [&] { of_tree_->space.draw(session, wishes); });
+    tab(lower, "Sphere", [&] { sphere_.draw(session, wishes); });
     ImGui::EndTabBar();
 }
 
-void Interface::draw_overlays(Session& session) {
-    draw_help_overlay(session);
-    log_.draw(session);
-    palette_.draw(session);
-    open_dialog_.draw(session);
-    save_as_dialog_.draw(session);
-    draw_unsaved_dialog(session);
-    draw_rewrite_dialog(session);
+void Interface::draw_overlays(const Session& session, Wishes& wishes) {
+    draw_help_overlay(session, wishes);
+    log_.draw(session, wishes);
+    palette_.draw(session, wishes);
+    open_dialog_.draw(session, wishes);
+    save_as_dialog_.draw(session, wishes);
+    draw_unsaved_dialog(session, wishes);
+    draw_rewrite_dialog(session, wishes);
 }
 
-void Interface::draw(Session& session, Frame& frame) {
-    WindowState& state = session.window;
+Wishes Interface::draw(const Session& session, Frame& frame) {
+    Wishes wishes;
+    const WindowState& state = session.window();
+    Layout layout = state.layout;
     if (theme_ != state.theme || theme_scale_ != frame.ui_scale) {
         apply_theme(state.theme, frame.ui_scale);
         theme_ = state.theme;
         theme_scale_ = frame.ui_scale;
     }
-    close_popups(state);
+    // The frame before has told of what is open: it was closed since.
+    if (any_popup_open() && !state.popup_open) ImGui::ClosePopupToLevel(0, true);
     if (session.documents().size() < documents_) of_tree_.emplace();
     documents_ = session.documents().size();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const auto scale = static_cast<float>(frame.ui_scale);
     if (!state.panels_visible) {
-        bare_part("Picture", {0.0F, 0.0F}, window, [&] { picture_.draw(session, frame); });
+        bare_part("Picture", {0.0F, 0.0F}, window, [&] { picture_.draw(session, wishes, frame); });
     } else {
-        const float top = draw_menu_bar(session);
+        const float top = draw_menu_bar(session, wishes);
         const float status = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().WindowPadding.y;
         const float height = std::max(1.0F, window.y - top - status);
         const float bar = splitter_width * scale;
         const Widths widths = fitting(state.layout, window.x, frame.ui_scale);
         const float right_x = window.x - widths.right;
-        part("Left", {0.0F, top}, {widths.left, height}, [&] { draw_left(session); });
+        part("Left", {0.0F, top}, {widths.left, height}, [&] { draw_left(session, wishes); });
         const bool two = height >= two_stacks_height * scale;
         const float upper = two ? std::floor(height * static_cast<float>(state.layout.upper_share)) : height;
         part("Right", {right_x, top}, {widths.right, upper},
-             [&] { draw_tabs(session, two ? Stack::upper : Stack::all); });
+             [&] { draw_tabs(session, wishes, two ? Stack::upper : Stack::all); });
         if (two) {
             part("Right below", {right_x, top + upper + bar}, {widths.right, height - upper - bar},
-                 [&] { draw_tabs(session, Stack::lower); });
+                 [&] { draw_tabs(session, wishes, Stack::lower); });
             const float moved =
                 splitter("splitter right", {right_x, top + upper}, {widths.right, bar}, ImGuiMouseCursor_ResizeNS);
-            state.layout.upper_share = std::clamp(state.layout.upper_share + moved / height, 0.15, 0.85);
+            layout.upper_share = std::clamp(layout.upper_share + moved / height, 0.15, 0.85);
         }
-        part("Status", {0.0F, window.y - status}, {window.x, status}, [&] { draw_status_line(session); });
+        part("Status", {0.0F, window.y - status}, {window.x, status}, [&] { draw_status_line(session, wishes); });
 
         const float middle = std::max(1.0F, window.x - widths.left - widths.right - 2.0F * bar);
-        bare_part("Picture", {widths.left + bar, top}, {middle, height},
-                  [&] { session.current() == nullptr ? welcome_.draw(session) : picture_.draw(session, frame); });
+        bare_part("Picture", {widths.left + bar, top}, {middle, height}, [&] {
+            session.current() == nullptr ? draw_welcome(session, wishes) : picture_.draw(session, wishes, frame);
+        });
         const float left_moved =
             splitter("splitter left", {widths.left, top}, {bar, height}, ImGuiMouseCursor_ResizeEW);
         const float right_moved =
             splitter("splitter picture", {right_x - bar, top}, {bar, height}, ImGuiMouseCursor_ResizeEW);
-        if (left_moved != 0.0F) state.layout.left_width = (widths.left + left_moved) / frame.ui_scale;
-        if (right_moved != 0.0F) state.layout.right_width = (widths.right - right_moved) / frame.ui_scale;
+        if (left_moved != 0.0F) layout.left_width = (widths.left + left_moved) / frame.ui_scale;
+        if (right_moved != 0.0F) layout.right_width = (widths.right - right_moved) / frame.ui_scale;
     }
-    if (frame.viewport.size.x > 0.0) session.view_size = frame.viewport.size;
+    if (layout != state.layout) wishes.set(&WindowState::layout, layout);
+    if (frame.viewport.size.x > 0.0 && frame.viewport.size != session.view_size())
+        wishes.add([size = frame.viewport.size](Session& s) { s.set_view_size(size); });
     draw_problem_banner(session, frame);
-    draw_overlays(session);
-    state.popup_open = any_popup_open();
-    if (!state.to_clipboard.empty()) ImGui::SetClipboardText(std::exchange(state.to_clipboard, {}).c_str());
+    draw_overlays(session, wishes);
+    if (any_popup_open() != state.popup_open) wishes.set(&WindowState::popup_open, any_popup_open());
+    if (!wishes.empty()) frame.again(0.0);
+    return wishes;
 }
 
 }  // namespace pol

@@ -17,8 +17,8 @@
 #include "viewer/panels/scene_panel.h"
 #include "viewer/panels/space_panel.h"
 #include "viewer/panels/sphere_panel.h"
-#include "viewer/panels/welcome.h"
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 #include "viewer/widgets/frame.h"
 
 namespace pol {
@@ -28,8 +28,9 @@ namespace pol {
 /// belongs to widgets (open tabs, filters), never the user's data.
 class Interface {
 public:
-    /// Builds one frame between ImGui::NewFrame() and ImGui::Render().
-    void draw(Session& session, Frame& frame);
+    /// Builds one frame between ImGui::NewFrame() and ImGui::Render(). Returns what the user wants; it is to be done
+    /// before the picture is rendered for this frame, and asks for one more frame, which shows it.
+    [[nodiscard]] Wishes draw(const Session& session, Frame& frame);
 
 private:
     /// Stacks of tabs on the right.
@@ -42,19 +43,19 @@ private:
         SpacePanel space;
     };
 
-    void draw_left(Session& session);
-    void draw_tabs(Session& session, Stack stack);
-    void draw_overlays(Session& session);
+    void draw_left(const Session& session, Wishes& wishes);
+    void draw_tabs(const Session& session, Wishes& wishes, Stack stack);
+    void draw_overlays(const Session& session, Wishes& wishes);
 
     MapsPanel maps_;
     HistogramPanel histogram_;
     PicturePanel picture_;
     PixelPanel pixel_;
     std::optional<TreePanels> of_tree_{std::in_place};
-    std::size_t documents_ = 0;  // that were open in the last frame
+    std::size_t documents_ = 0;       // that were open in the last frame
+    std::uint64_t facts_opened_ = 0;  // whose pages were brought to the front
     SpherePanel sphere_;
     ScenePanel scene_;
-    Welcome welcome_;
     LogPanel log_;
     CommandPalette palette_;
     OpenDialog open_dialog_;

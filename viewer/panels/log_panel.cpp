@@ -20,16 +20,17 @@ std::string as_text(const std::vector<LogLine>& lines) {
 
 }  // namespace
 
-void LogPanel::draw(Session& session) {
-    WindowState& window = session.window;
+void LogPanel::draw(const Session& session, Wishes& wishes) {
+    const WindowState& window = session.window();
     if (!window.log_visible) return;
+    bool visible = true;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.2F * display.x, 0.5F * display.y}, ImGuiCond_Appearing);
     ImGui::SetNextWindowSize({0.6F * display.x, 0.42F * display.y}, ImGuiCond_Appearing);
-    if (ImGui::Begin("Log", &window.log_visible, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    if (ImGui::Begin("Log", &visible, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
         log_window();
-        const std::vector<LogLine>& lines = session.log.lines();
-        if (ImGui::Button("Copy all")) window.to_clipboard = as_text(lines);
+        const std::vector<LogLine>& lines = session.log().lines();
+        if (ImGui::Button("Copy all")) ImGui::SetClipboardText(as_text(lines).c_str());
         ImGui::Separator();
         ImGui::BeginChild("lines");
         if (lines.empty()) ImGui::TextDisabled("Nothing has been said yet.");
@@ -45,6 +46,7 @@ void LogPanel::draw(Session& session) {
         ImGui::EndChild();
     }
     ImGui::End();
+    if (!visible) wishes.set(&WindowState::log_visible, false);
 }
 
 }  // namespace pol

@@ -4,13 +4,14 @@
 #include <cstddef>
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
-/// All messages, while session.window.log_visible; follows the newest.
+/// All messages, while WindowState::log_visible; follows the newest.
 class LogPanel {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 
 private:
     std::size_t lines_seen_ = 0;

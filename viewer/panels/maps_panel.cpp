@@ -14,17 +14,17 @@ namespace pol {
 namespace {
 
 /// Which picture the others are compared with, and whether the difference is shown.
-void draw_comparison(Session& session) {
+void draw_comparison(const Session& session, Wishes& wishes) {
     const Document* reference = session.reference();
     const auto possible = session.compare();
     bool is_shown = session.comparison().has_value();
     if (!possible) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5F * ImGui::GetStyle().Alpha);
-    if (ImGui::Checkbox("minus the reference", &is_shown)) session.toggle_difference();
+    if (ImGui::Checkbox("minus the reference", &is_shown)) wishes.add(&Session::toggle_difference);
     if (!possible) ImGui::PopStyleVar();
     name_widget("minus the reference");
     tooltip(possible ? "The shown map minus that of the reference picture (X)."
                      : (possible.error().what + "; " + possible.error().hint).c_str());
-    if (ImGui::SmallButton("use this")) session.set_reference();
+    if (ImGui::SmallButton("use this")) wishes.add(&Session::set_reference);
     name_widget("use as reference");
     tooltip("Makes the picture on screen the reference (Shift+X).");
     ImGui::SameLine();
@@ -34,7 +34,7 @@ void draw_comparison(Session& session) {
 
 }  // namespace
 
-void MapsPanel::draw(Session& session) {
+void MapsPanel::draw(const Session& session, Wishes& wishes) {
     const float key_column = ImGui::CalcTextSize("Shift+D").x;
     MapGroup group = quantities().front().group;
     for (const QuantityInfo& quantity : quantities()) {
@@ -42,16 +42,16 @@ void MapsPanel::draw(Session& session) {
         group = quantity.group;
         const std::string title(quantity.title_in_list());
         const KeyChord chord = chord_of(quantity.quantity);
-        if (ImGui::Selectable(title.c_str(), session.view.quantity == quantity.quantity))
-            session.show(quantity.quantity);
+        if (ImGui::Selectable(title.c_str(), session.view().quantity == quantity.quantity))
+            wishes.set(&ViewSettings::quantity, quantity.quantity);
         name_widget("map " + std::string(quantity.name));
-        tooltip(session.view.convention.definition(quantity.quantity).c_str());
+        tooltip(session.view().convention.definition(quantity.quantity).c_str());
         if (chord.key == Key::none) continue;
         ImGui::SameLine(ImGui::GetContentRegionMax().x - key_column);
         ImGui::TextDisabled("%s", name_of(chord).c_str());
     }
     ImGui::Separator();
-    draw_comparison(session);
+    draw_comparison(session, wishes);
 }
 
 }  // namespace pol

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "viewer/widgets/path_entry.h"
 #include "viewer/widgets/theme.h"
@@ -46,8 +47,10 @@ void OpenDialog::look() {
     });
 }
 
-void OpenDialog::draw(Session& session) {
-    bool& visible = session.window.path_entry_visible;
+void OpenDialog::draw(const Session& session, Wishes& wishes) {
+    bool visible = session.window().path_entry_visible;
+    const bool was_tried = std::exchange(wished_, false);
+    if (was_tried && !visible) typed_ = (typed_path(typed_).parent_path() / "").string();
     constexpr const char* name = "Open a scene or a picture";
     if (visible && !ImGui::IsPopupOpen(name)) {
         if (typed_.empty()) {
@@ -58,8 +61,12 @@ void OpenDialog::draw(Session& session) {
         ImGui::OpenPopup(name);
     }
     bool wanted = false;
-    if (!begin_path_page(name, visible, typed_, "scene.yaml or picture.exr", "Open", was_refused_, wanted)) return;
+    if (!begin_path_page(name, visible, typed_, "scene.yaml or picture.exr", "Open", was_tried, wanted)) {
+        if (visible != session.window().path_entry_visible) wishes.set(&WindowState::path_entry_visible, visible);
+        return;
+    }
     if (typed_ != looked_for_) look();
+    if (was_tried) refused_ = session.log().lines().back().text;
 
     ImGui::BeginChild("files", {0.0F, 18.0F * ImGui::GetFontSize()});
     for (const fs::path& match : matches_) {
@@ -75,15 +82,13 @@ void OpenDialog::draw(Session& session) {
 
     if (wanted) {
         refused_.clear();
-        if (session.open(typed_path(typed_))) {
-            visible = false;
-            typed_ = (typed_path(typed_).parent_path() / "").string();
-        } else {
-            refused_ = session.log.lines().back().text;
-        }
+        wished_ = true;
+        wishes.add([path = typed_path(typed_)](Session& s) {
+            if (s.open(path)) s.change_window().path_entry_visible = false;
+        });
     }
-    was_refused_ = wanted && visible;
-    end_path_page(visible, refused_, colors(session.window.theme).error);
+    end_path_page(visible, refused_, colors(session.window().theme).error);
+    if (!visible) wishes.set(&WindowState::path_entry_visible, false);
 }
 
 }  // namespace pol

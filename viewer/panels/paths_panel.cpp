@@ -71,7 +71,7 @@ void draw_sums(const Explanation& explanation, const PathList& list) {
 
 }  // namespace
 
-void PathsPanel::draw_controls(Session& session) {
+void PathsPanel::draw_controls(const Plan& plan) {
     constexpr const char* orders[] = {"heaviest first", "brightest first", "as traced"};
     int order = static_cast<int>(list_.order());
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11.0F);
@@ -84,14 +84,14 @@ void PathsPanel::draw_controls(Session& session) {
     check("share above 1 %", filter.bright, "Paths that bring at least 1 % of the pixel's S0");
     ImGui::SameLine();
     check("not followed", filter.not_followed, "Paths that were not followed to their end: it says why instead");
-    choose_body(*session.current()->plan(), filter.body);
+    choose_body(plan, filter.body);
     list_.set_filter(filter);
     if (ImGui::SmallButton("Open all")) list_.open_all(true);
     ImGui::SameLine();
     if (ImGui::SmallButton("Close all")) list_.open_all(false);
 }
 
-void PathsPanel::draw_rows(Session& session, float height) {
+void PathsPanel::draw_rows(const Session& session, Wishes& wishes, float height) {
     const Explanation& explanation = *list_.explanation();
     const Plan& plan = *session.current()->plan();
     constexpr ImGuiTableFlags look =
@@ -104,8 +104,8 @@ void PathsPanel::draw_rows(Session& session, float height) {
     ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, 3.8F * em);
     ImGui::TableSetupColumn("meets", ImGuiTableColumnFlags_WidthFixed, 5.2F * em);
     ImGui::TableHeadersRow();
-    if (session.selection.node != scrolled_to_) {
-        scrolled_to_ = session.selection.node;
+    if (session.selection().node != scrolled_to_) {
+        scrolled_to_ = session.selection().node;
         if (scrolled_to_) {
             list_.reveal(*scrolled_to_);
             const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
@@ -130,15 +130,17 @@ void PathsPanel::draw_rows(Session& session, float height) {
             ImGuiTreeNodeFlags flags =
                 ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanFullWidth;
             if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf;
-            if (session.selection.node == row.branch) flags |= ImGuiTreeNodeFlags_Selected;
+            if (session.selection().node == row.branch) flags |= ImGuiTreeNodeFlags_Selected;
             ImGui::TreeNodeEx(
                 reinterpret_cast<void*>(static_cast<std::intptr_t>(row.branch)), flags, "%s",
                 branch_title(plan, explanation, row.branch, list_.is_total_reflection(row.branch)).c_str());
             if (row.branch < 100) name_widget("branch " + std::to_string(row.branch));
-            if (ImGui::IsItemToggledOpen())
+            if (ImGui::IsItemToggledOpen()) {
                 toggled = row.branch;
-            else if (ImGui::IsItemClicked())
-                session.selection.node = scrolled_to_ = row.branch;
+            } else if (ImGui::IsItemClicked()) {
+                scrolled_to_ = row.branch;
+                wishes.add([branch = row.branch](Session& s) { s.select_branch(branch); });
+            }
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(short_number(node.start.weight, 3).c_str());
             ImGui::TableNextColumn();
@@ -151,21 +153,21 @@ void PathsPanel::draw_rows(Session& session, float height) {
     if (toggled) list_.set_open(*toggled, !list_.is_open(*toggled));
 }
 
-void PathsPanel::draw(Session& session) {
-    if (!draw_tree_state(session)) return;
+void PathsPanel::draw(const Session& session, Wishes& wishes) {
+    if (!draw_tree_state(session, wishes)) return;
     const auto explanation = session.explanation();
     if (list_.explanation() != explanation) list_.set_tree(session.current()->plan(), explanation);
-    draw_sample_choice(session);
-    draw_controls(session);
+    draw_sample_choice(session, wishes);
+    draw_controls(*session.current()->plan());
     draw_sums(*explanation, list_);
-    const bool has_details = session.selection.node.has_value();
+    const bool has_details = session.selection().node.has_value();
     const float below = has_details ? 0.45F * ImGui::GetContentRegionAvail().y : 0.0F;
     const float least = 8.0F * ImGui::GetTextLineHeightWithSpacing();
-    draw_rows(session, std::max(least, ImGui::GetContentRegionAvail().y - below));
-    if (!session.selection.node) return;
-    const PageGroup page = make_branch_page(*session.current()->plan(), *explanation, *session.selection.node);
+    draw_rows(session, wishes, std::max(least, ImGui::GetContentRegionAvail().y - below));
+    if (!session.selection().node) return;
+    const PageGroup page = make_branch_page(*session.current()->plan(), *explanation, *session.selection().node);
     ImGui::TextUnformatted(page.title.c_str());
-    say_tracers_convention(session.view.convention);
+    say_tracers_convention(session.view().convention);
     if (!ImGui::BeginTable("branch", 2)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);

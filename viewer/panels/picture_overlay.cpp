@@ -23,10 +23,10 @@ constexpr double least_veil_cell = 2.0;
 constexpr ImU32 veil_color = IM_COL32(0, 0, 0, 170);
 
 /// Pixels that can be seen.
-TileRect visible_pixels(const Session& session, const DVec2& view) {
+TileRect visible_pixels(const Session& session, const PlacedPicture& placed) {
     const StokesImage& picture = session.current()->picture();
-    const DVec2 low = session.transform.picture_from_view({0.0, 0.0});
-    const DVec2 high = session.transform.picture_from_view(view);
+    const DVec2 low = placed.transform.picture_from_view({0.0, 0.0});
+    const DVec2 high = placed.transform.picture_from_view(placed.viewport.size);
     const auto inside = [](double value, int size) {
         return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
     };
@@ -38,7 +38,7 @@ TileRect visible_pixels(const Session& session, const DVec2& view) {
 class PixelLabels {
 public:
     explicit PixelLabels(const Session& session) : shown_(session.shown_picture()) {
-        if (session.view.quantity == Quantity::color)
+        if (session.view().quantity == Quantity::color)
             weights_ = color_weights(shown_.picture().wavelengths_nm);
         else
             quantity_.emplace(session.shown_quantity());
@@ -77,30 +77,29 @@ private:
     std::vector<Rgb> weights_;
 };
 
-void draw_numbers(const Session& session, const ViewRect& viewport, ImDrawList& list) {
-    const bool is_color = session.view.quantity == Quantity::color;
+void draw_numbers(const Session& session, const PlacedPicture& placed, ImDrawList& list) {
+    const bool is_color = session.view().quantity == Quantity::color;
     const ImVec2 widest = ImGui::CalcTextSize(is_color ? "0.0123\n0.0123\n0.0123" : "-0.00123");
     const double needed = std::max(widest.x, widest.y) + 4.0F;
-    if (!session.view.numbers_in_pixels || session.transform.scale < needed) return;
+    if (!session.view().numbers_in_pixels || placed.transform.scale < needed) return;
     const PixelLabels labels(session);
     const StokesImage& picture = session.current()->picture();
-    const TileRect seen = visible_pixels(session, viewport.size);
+    const TileRect seen = visible_pixels(session, placed);
     for (int y = seen.y0; y < seen.y1; ++y) {
         for (int x = seen.x0; x < seen.x1; ++x) {
             const std::string text = labels.text(picture.pixel(x, y));
             const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-            const DVec2 middle = viewport.origin + session.transform.view_from_picture({x + 0.5, y + 0.5});
+            const DVec2 middle = placed.window_from_picture({x + 0.5, y + 0.5});
             rimmed_text(list, point(glm::round(middle - 0.5 * DVec2(size.x, size.y))), white_ink, text);
         }
     }
 }
 
-void draw_region(const Session& session, const ViewRect& viewport, ImDrawList& list) {
-    const auto& region = session.selection.region;
+void draw_region(const Session& session, const PlacedPicture& placed, ImDrawList& list) {
+    const auto& region = session.selection().region;
     if (!region) return;
     const auto at = [&](int x, int y) {
-        return point(viewport.origin +
-                     session.transform.view_from_picture({static_cast<double>(x), static_cast<double>(y)}));
+        return point(placed.window_from_picture({static_cast<double>(x), static_cast<double>(y)}));
     };
     const ImVec2 a = at(region->x0, region->y0);
     const ImVec2 b = at(region->x1, region->y1);
@@ -121,11 +120,11 @@ void draw_frame(const DVec2& center, double clear, const PageAxes& axes, ImDrawL
 }
 
 /// Corners of the tiles that workers are at.
-void draw_tiles_under_way(const Session& session, const ViewRect& viewport, ImDrawList& list) {
+void draw_tiles_under_way(const Session& session, const PlacedPicture& placed, ImDrawList& list) {
     constexpr ImU32 color = IM_COL32(255, 214, 10, 140);
     for (const TileRect& tile : session.current()->progress().under_way) {
-        const DVec2 low = viewport.origin + session.transform.view_from_picture({1.0 * tile.x0, 1.0 * tile.y0});
-        const DVec2 high = viewport.origin + session.transform.view_from_picture({1.0 * tile.x1, 1.0 * tile.y1});
+        const DVec2 low = placed.window_from_picture({1.0 * tile.x0, 1.0 * tile.y0});
+        const DVec2 high = placed.window_from_picture({1.0 * tile.x1, 1.0 * tile.y1});
         const DVec2 arm = 0.2 * (high - low);
         for (const DVec2 corner : {low, high, DVec2(low.x, high.y), DVec2(high.x, low.y)}) {
             const DVec2 inward(corner.x == low.x ? arm.x : -arm.x, corner.y == low.y ? arm.y : -arm.y);
@@ -135,13 +134,13 @@ void draw_tiles_under_way(const Session& session, const ViewRect& viewport, ImDr
     }
 }
 
-void draw_pins(const Session& session, const ViewRect& viewport, ImDrawList& list) {
-    const Selection& selection = session.selection;
-    const double half = std::max(4.0, 0.5 * session.transform.scale);
+void draw_pins(const Session& session, const PlacedPicture& placed, ImDrawList& list) {
+    const Selection& selection = session.selection();
+    const double half = std::max(4.0, 0.5 * placed.transform.scale);
     for (std::size_t i = 0; i < selection.pins.size(); ++i) {
         const bool is_current = static_cast<int>(i) == selection.current;
         const PixelAddress& pin = selection.pins[i];
-        const DVec2 center = viewport.origin + session.transform.view_from_picture({pin.x + 0.5, pin.y + 0.5});
+        const DVec2 center = placed.window_from_picture({pin.x + 0.5, pin.y + 0.5});
         const ImU32 color = is_current ? pin_ink : white_ink;
         const DVec2 corner(half, half);
         list.AddRect(point(center - corner), point(center + corner), rim_color, 0.0F, 0, 3.5F);
@@ -158,35 +157,36 @@ bool same(const ViewTransform& a, const ViewTransform& b) {
 
 }  // namespace
 
-void PictureOverlay::draw(const Session& session, const ViewRect& viewport) {
+void PictureOverlay::draw(const Session& session, const PlacedPicture& placed) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ViewRect& viewport = placed.viewport;
     list.PushClipRect(point(viewport.origin), point(viewport.origin + viewport.size), true);
-    draw_tiles_under_way(session, viewport, list);
-    draw_veil(session, viewport);
-    const TileRect seen = visible_pixels(session, viewport.size);
-    if (seen.x0 < seen.x1 && seen.y0 < seen.y1) glyphs_.draw(session, viewport, seen);
-    draw_numbers(session, viewport, list);
-    draw_region(session, viewport, list);
-    draw_pins(session, viewport, list);
+    draw_tiles_under_way(session, placed, list);
+    draw_veil(session, placed);
+    const TileRect seen = visible_pixels(session, placed);
+    if (seen.x0 < seen.x1 && seen.y0 < seen.y1) glyphs_.draw(session, placed, seen);
+    draw_numbers(session, placed, list);
+    draw_region(session, placed, list);
+    draw_pins(session, placed, list);
     list.PopClipRect();
 }
 
-void PictureOverlay::draw_veil(const Session& session, const ViewRect& viewport) {
+void PictureOverlay::draw_veil(const Session& session, const PlacedPicture& placed) {
     const StokesImage& picture = session.current()->picture();
-    const std::vector<bool>& marked = session.selection.marked;
+    const std::vector<bool>& marked = session.selection().marked;
     if (marked.size() != picture.pixel_count()) return;
-    const ViewTransform& transform = session.transform;
-    const bool is_current = veil_marks_ == session.selection.marked_version && same(veil_transform_, transform) &&
-                            veil_view_ == viewport.size;
+    const ViewTransform& transform = placed.transform;
+    const bool is_current = veil_marks_ == session.selection().marked_version && same(veil_transform_, transform) &&
+                            veil_view_ == placed.viewport.size;
     if (!is_current) {
         veil_.clear();
-        veil_marks_ = session.selection.marked_version;
+        veil_marks_ = session.selection().marked_version;
         veil_transform_ = transform;
-        veil_view_ = viewport.size;
+        veil_view_ = placed.viewport.size;
         // A cell is a whole number of pixels; it counts as marked if one of them is, so that no marked pixel is lost.
         const int step = std::max(1, static_cast<int>(std::ceil(least_veil_cell / transform.scale)));
         veil_cell_ = static_cast<float>(step * transform.scale);
-        const TileRect seen = visible_pixels(session, viewport.size);
+        const TileRect seen = visible_pixels(session, placed);
         const auto is_marked = [&](int x0, int y0) {
             for (int y = y0; y < std::min(y0 + step, picture.height); ++y) {
                 for (int x = x0; x < std::min(x0 + step, picture.width); ++x) {
@@ -209,7 +209,7 @@ void PictureOverlay::draw_veil(const Session& session, const ViewRect& viewport)
         }
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 origin = point(viewport.origin);
+    const ImVec2 origin = point(placed.viewport.origin);
     for (const VeilRun& run : veil_)
         list.AddRectFilled({origin.x + run.x0, origin.y + run.y}, {origin.x + run.x1, origin.y + run.y + veil_cell_},
                            veil_color);

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "viewer/panels/glyph_overlay.h"
+#include "viewer/panels/placed_picture.h"
 #include "viewer/session/session.h"
 #include "viewer/shown/view_transform.h"
-#include "viewer/widgets/frame.h"
 
 namespace pol {
 
@@ -16,7 +16,7 @@ namespace pol {
 class PictureOverlay {
 public:
     /// Requires: a document is shown.
-    void draw(const Session& session, const ViewRect& viewport);
+    void draw(const Session& session, const PlacedPicture& placed);
 
 private:
     /// Points from `x0` to `x1` of one row of cells, in view coordinates.
@@ -25,7 +25,7 @@ private:
         float x1;
         float y;
     };
-    void draw_veil(const Session& session, const ViewRect& viewport);
+    void draw_veil(const Session& session, const PlacedPicture& placed);
 
     GlyphOverlay glyphs_;
     std::vector<VeilRun> veil_;  // of the marks, transform and viewport below

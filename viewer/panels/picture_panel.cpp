@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "viewer/panels/hover_readout.h"
 #include "viewer/session/map_look.h"
@@ -48,6 +49,10 @@ void show_viewport(const Frame& frame) {
     name_widget("picture");
 }
 
+void wish_camera(const Session& session, Wishes& wishes, const Camera& camera, const char* label) {
+    wishes.add([of = session.current(), camera, label](Session& s) { s.move_camera(of, camera, label); });
+}
+
 void invite(const ViewRect& viewport) {
     constexpr const char* text = "Drop a scene or an EXR file here";
     const ImVec2 size = ImGui::CalcTextSize(text);
@@ -58,30 +63,32 @@ void invite(const ViewRect& viewport) {
 
 }  // namespace
 
-void PicturePanel::draw(Session& session, Frame& frame) {
+void PicturePanel::draw(const Session& session, Wishes& wishes, Frame& frame) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 size = ImGui::GetContentRegionAvail();
-    const bool has_strip = session.window.panels_visible && session.current() != nullptr;
+    const bool has_strip = session.window().panels_visible && session.current() != nullptr;
     const float strip = has_strip ? color_bar_height() + hover_readout_height() + 2.0F * strip_padding : 0.0F;
     frame.viewport = {{origin.x, origin.y}, {std::max(1.0F, size.x), std::max(1.0F, size.y - strip)}};
     show_viewport(frame);
-    session.selection.hovered.reset();
     if (session.current() == nullptr) {
         invite(frame.viewport);
         return;
     }
-    place_picture(session, frame.viewport.size);
-    handle_mouse(session, frame.viewport);
-    overlay_.draw(session, frame.viewport);
+    PlacedPicture placed{frame.viewport, session.transform()};
+    fit_if_new(session, placed);
+    handle_mouse(session, wishes, placed);
+    if (placed.transform != session.transform())
+        wishes.add([transform = placed.transform](Session& s) { s.change_transform() = transform; });
+    overlay_.draw(session, placed);
     // Differences are no directions of the picture.
-    if (info(session.view.quantity).kind == ScaleKind::cyclic && !session.comparison()) {
+    if (info(session.view().quantity).kind == ScaleKind::cyclic && !session.comparison()) {
         const DVec2 corner = frame.viewport.origin + frame.viewport.size;
         draw_azimuth_wheel(session, corner - DVec2(wheel_radius + 10.0), wheel_radius);
     }
     if (!has_strip) return;
     ImGui::SetCursorScreenPos({origin.x + strip_padding, origin.y + size.y - strip + strip_padding});
     ImGui::BeginGroup();
-    color_bar_.draw(session, size.x - 2.0F * strip_padding);
+    color_bar_.draw(session, wishes, size.x - 2.0F * strip_padding);
     ImGui::EndGroup();
     ImGui::SetCursorScreenPos({origin.x + strip_padding, origin.y + size.y - hover_readout_height() - strip_padding});
     ImGui::BeginGroup();
@@ -89,25 +96,26 @@ void PicturePanel::draw(Session& session, Frame& frame) {
     ImGui::EndGroup();
 }
 
-void PicturePanel::place_picture(Session& session, const DVec2& view) {
+void PicturePanel::fit_if_new(const Session& session, PlacedPicture& placed) {
     const std::uint64_t layout = session.current()->picture_layout();
     const bool is_new = fitted_layout_ != layout;
-    const bool has_new_size = session.transform.fitted && fitted_view_ != view;
-    if (is_new || has_new_size) session.transform.fit(extent_of(session), view);
+    const bool has_new_size = placed.transform.fitted && fitted_view_ != placed.viewport.size;
+    if (is_new || has_new_size) placed.transform.fit(extent_of(session), placed.viewport.size);
     fitted_layout_ = layout;
-    fitted_view_ = view;
+    fitted_view_ = placed.viewport.size;
 }
 
-void PicturePanel::handle_mouse(Session& session, const ViewRect& viewport) {
+void PicturePanel::handle_mouse(const Session& session, Wishes& wishes, PlacedPicture& placed) {
     const ImGuiIO& io = ImGui::GetIO();
-    ViewTransform& transform = session.transform;
-    const DVec2 at = DVec2(io.MousePos.x, io.MousePos.y) - viewport.origin;
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) handle_wheel(session, at);
+    ViewTransform& transform = placed.transform;
+    const DVec2 at = DVec2(io.MousePos.x, io.MousePos.y) - placed.viewport.origin;
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) handle_wheel(session, wishes, placed, at);
     const DVec2 extent = extent_of(session);
     const DVec2 p = transform.picture_from_view(at);
     const bool is_inside = p.x >= 0.0 && p.y >= 0.0 && p.x < extent.x && p.y < extent.y;
-    if (ImGui::IsItemHovered() && is_inside)
-        session.selection.hovered = PixelAddress{static_cast<int>(p.x), static_cast<int>(p.y)};
+    const PixelAddress pixel{static_cast<int>(p.x), static_cast<int>(p.y)};
+    const auto hovered = ImGui::IsItemHovered() && is_inside ? std::optional(pixel) : std::nullopt;
+    if (hovered != session.selection().hovered) wishes.add([hovered](Session& s) { s.hover(hovered); });
 
     if (ImGui::IsItemActivated()) {
         drag_ = Drag::none;
@@ -119,13 +127,14 @@ void PicturePanel::handle_mouse(Session& session, const ViewRect& viewport) {
         drag_ = is_left ? drag_meant(session) : Drag::pan;
     // The picture point that was taken hold of stays under the cursor.
     if (ImGui::IsItemActive() && drag_ == Drag::pan) transform.pan(at - transform.view_from_picture(drag_from_));
-    if (ImGui::IsItemActive() && drag_ == Drag::region) session.selection.region = touched(drag_from_, p, extent);
-    move_camera(session);
+    if (ImGui::IsItemActive() && drag_ == Drag::region)
+        wishes.add([region = touched(drag_from_, p, extent)](Session& s) { s.select_region(region); });
+    move_camera(session, wishes, transform.scale);
     if (ImGui::IsItemDeactivated() && drag_ == Drag::none && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
         if (io.KeyShift)
-            session.selection.region.reset();
+            wishes.add([](Session& s) { s.select_region({}); });
         else if (is_inside)
-            session.pin({static_cast<int>(p.x), static_cast<int>(p.y)});
+            wishes.add([pixel](Session& s) { s.pin(pixel); });
     }
 }
 
@@ -135,34 +144,34 @@ PicturePanel::Drag PicturePanel::drag_meant(const Session& session) {
     return io.KeyShift ? Drag::region : Drag::pan;
 }
 
-void PicturePanel::handle_wheel(Session& session, const DVec2& at) {
+void PicturePanel::handle_wheel(const Session& session, Wishes& wishes, PlacedPicture& placed, const DVec2& at) {
     const ImGuiIO& io = ImGui::GetIO();
     const double factor = std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel));
     if (!io.KeyAlt || !session.current()->has_scene()) {
-        session.transform.zoom_at(at, factor);
+        placed.transform.zoom_at(at, factor);
         return;
     }
-    session.move_camera(dollied(session.current()->scene().camera, factor), "camera dolly");
+    wish_camera(session, wishes, dollied(session.current()->scene().camera, factor), "camera dolly");
     dollying_ = true;
 }
 
 /// A drag is one step of undo, and so are the turns of the wheel until Alt is let go.
-void PicturePanel::move_camera(Session& session) {
-    Document& document = *session.current();
+void PicturePanel::move_camera(const Session& session, Wishes& wishes, double points_per_pixel) {
+    const Document& document = *session.current();
     const ImGuiIO& io = ImGui::GetIO();
     const bool dragging = drag_ == Drag::orbit_camera || drag_ == Drag::pan_camera;
     const DVec2 moved(io.MouseDelta.x, io.MouseDelta.y);
     if (dragging && document.has_scene() && ImGui::IsItemActive() && moved != DVec2(0.0)) {
         const Camera& camera = document.scene().camera;
         if (drag_ == Drag::orbit_camera)
-            session.move_camera(orbited(camera, moved), "camera orbit");
+            wish_camera(session, wishes, orbited(camera, moved), "camera orbit");
         else
-            session.move_camera(panned(camera, moved / session.transform.scale, document.picture().width),
-                                "camera pan");
+            wish_camera(session, wishes, panned(camera, moved / points_per_pixel, document.picture().width),
+                        "camera pan");
     }
     const bool ended = (dragging && ImGui::IsItemDeactivated()) || (dollying_ && !io.KeyAlt);
     if (!ended) return;
-    document.end_edit();
+    wishes.add([of = &document](Session& s) { s.end_edit(of); });
     dollying_ = false;
 }
 

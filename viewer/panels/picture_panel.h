@@ -6,6 +6,7 @@
 #include "viewer/panels/color_bar.h"
 #include "viewer/panels/picture_overlay.h"
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 #include "viewer/widgets/frame.h"
 
 namespace pol {
@@ -15,15 +16,16 @@ namespace pol {
 /// of a scene: dragging orbits, Shift and dragging pans it, the wheel dollies.
 class PicturePanel {
 public:
-    void draw(Session& session, Frame& frame);
+    void draw(const Session& session, Wishes& wishes, Frame& frame);
 
 private:
     enum class Drag { none, pan, region, orbit_camera, pan_camera };
     [[nodiscard]] static Drag drag_meant(const Session& session);
-    void place_picture(Session& session, const DVec2& view);
-    void handle_mouse(Session& session, const ViewRect& viewport);
-    void handle_wheel(Session& session, const DVec2& at);
-    void move_camera(Session& session);
+    /// Moves `placed` as the user does.
+    void fit_if_new(const Session& session, PlacedPicture& placed);
+    void handle_mouse(const Session& session, Wishes& wishes, PlacedPicture& placed);
+    void handle_wheel(const Session& session, Wishes& wishes, PlacedPicture& placed, const DVec2& at);
+    void move_camera(const Session& session, Wishes& wishes, double points_per_pixel);
 
     std::uint64_t fitted_layout_ = 0;
     DVec2 fitted_view_{0.0, 0.0};

@@ -26,8 +26,8 @@ void choose(const char* label, Value& value, const char* const* names, int count
 }
 
 /// The pixels that were pinned, the last one at the end: a click goes back.
-void draw_pins(Session& session) {
-    const Selection& selection = session.selection;
+void draw_pins(const Session& session, Wishes& wishes) {
+    const Selection& selection = session.selection();
     const StokesImage& picture = session.current()->picture();
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     std::optional<PixelAddress> chosen;
@@ -46,10 +46,11 @@ void draw_pins(Session& session) {
             ImGui::SetTooltip(is_current ? "The pinned pixel: arrow keys move it, Esc releases it"
                                          : "Back to this pixel");
     }
-    if (chosen) session.pin(*chosen);
+    if (chosen) wishes.add([pin = *chosen](Session& s) { s.pin(pin); });
 }
 
-void draw_frame_choice(PageSettings& settings) {
+void draw_frame_choice(PageSettings settings, Wishes& wishes) {
+    const PageSettings before = settings;
     constexpr const char* frames[] = {"camera", "scene x axis", "scene y axis", "scene z axis", "own angle"};
     choose("Frame", settings.frame, frames, 5, "Axes that matrix, Stokes vector and azimuth are written in");
     if (settings.frame == FrameChoice::own_angle) {
@@ -60,9 +61,11 @@ void draw_frame_choice(PageSettings& settings) {
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("From the camera's x towards its y, for the receiver; Ctrl+click to type");
     }
+    if (settings != before) wishes.add([settings](Session& s) { s.set_page(settings); });
 }
 
-void draw_convention_choice(Convention& convention) {
+void draw_convention_choice(Convention convention, Wishes& wishes) {
+    const Convention before = convention;
     constexpr const char* views[] = {"receiver: against the light", "source: along the light"};
     constexpr const char* signs[] = {"right-handed", "left-handed"};
     constexpr const char* times[] = {"exp(-i\u03c9t)", "exp(+i\u03c9t)"};
@@ -70,6 +73,7 @@ void draw_convention_choice(Convention& convention) {
            "Exchanges right and left, turns x, S2, S3 and azimuth round; in all panels, maps and exports");
     choose("S3 > 0 is", convention.positive_s3, signs, 2, "Sign of S3 and of the ellipticity angle");
     choose("Time", convention.time_sign, times, 2, "The other sign conjugates the matrix; Stokes vectors stay");
+    if (convention != before) wishes.set(&ViewSettings::convention, convention);
 }
 
 void draw_matrix(const PixelPage& page) {
@@ -122,50 +126,50 @@ void draw_group(const PageGroup& group, bool doubted) {
     ImGui::EndTable();
 }
 
-void draw_curves(Session& session) {
+void draw_curves(const Session& session, Wishes& wishes) {
     const std::vector<double>& wavelengths = session.current()->picture().wavelengths_nm;
     if (wavelengths.size() < 2 || !ImGui::CollapsingHeader("Over wavelength", ImGuiTreeNodeFlags_DefaultOpen)) return;
     for (const PageCurve& curve : spectrum_curves(session))
         if (const auto clicked =
-                draw_spectrum_plot(curve, wavelengths, session.view.wavelength, ImGui::GetFontSize() * 4.0F))
-            session.view.wavelength = *clicked;
+                draw_spectrum_plot(curve, wavelengths, session.view().wavelength, ImGui::GetFontSize() * 4.0F))
+            wishes.add([index = *clicked](Session& s) { s.choose_wavelength(index); });
 }
 
 }  // namespace
 
-void PixelPanel::draw(Session& session) {
-    if (session.current() == nullptr || !session.selection.pinned()) {
+void PixelPanel::draw(const Session& session, Wishes& wishes) {
+    if (session.current() == nullptr || !session.selection().pinned()) {
         ImGui::TextWrapped(
             "Click a pixel of the picture: its coherence matrix and all that follows from it appear here.");
         return;
     }
-    draw_pins(session);
+    draw_pins(session, wishes);
     const PixelPage page = make_pixel_page(session);
     ImGui::Text("Pixel %d,%d at %s nm%s", page.pixel.x, page.pixel.y, short_number(page.wavelength_nm, 7).c_str(),
-                session.polarimeter.empty() ? "" : ", behind the polarimeter");
+                session.polarimeter().empty() ? "" : ", behind the polarimeter");
     if (page.from_tree) ImGui::TextDisabled("not rendered yet: one sample, from its tree");
     if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(text_of(page).c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("All numbers of this page at full precision, as text");
     ImGui::SameLine();
     const bool can_be_case = session.explanation() != nullptr;
     if (!can_be_case) ImGui::BeginDisabled();
-    if (ImGui::SmallButton("Save as test case")) save_pixel_case(session);
+    if (ImGui::SmallButton("Save as test case")) wishes.add(save_pixel_case);
     if (!can_be_case) ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("Scene, pixel and matrix as a file that polariscope explain --case checks again");
 
     draw_matrix(page);
-    draw_frame_choice(session.page);
+    draw_frame_choice(session.page(), wishes);
     if (!page.trouble.empty()) ImGui::TextWrapped("%s", page.trouble.c_str());
     ImGui::TextDisabled("%s", page.convention.c_str());
     if (ImGui::TreeNode("Convention")) {
-        draw_convention_choice(session.view.convention);
+        draw_convention_choice(session.view().convention, wishes);
         ImGui::TreePop();
     }
     draw_polarization_ellipse(page.seen, ImGui::GetFontSize() * 10.0F);
     const bool doubted = session.current()->has_scene() && !session.current()->plan()->features.doubts.empty();
     for (std::size_t i = 1; i < page.groups.size(); ++i) draw_group(page.groups[i], doubted);
-    draw_curves(session);
+    draw_curves(session, wishes);
 }
 
 }  // namespace pol

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
@@ -9,7 +10,7 @@ namespace pol {
 /// curves over wavelength. Every number can be copied.
 class PixelPanel {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 };
 
 }  // namespace pol

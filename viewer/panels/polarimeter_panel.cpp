@@ -34,27 +34,27 @@ bool degrees_field(const char* name, double& rad, double speed) {
     return true;
 }
 
-/// What the user did with one element.
-struct Wish {
+/// What the user did with one element besides turning it.
+struct Click {
     bool remove = false;
     int move = 0;
 };
 
-Wish draw_element(PolarimeterElement& element) {
-    Wish wish;
+Click draw_element(PolarimeterElement& element) {
+    Click click;
     axis_dial("dial", element.axis, 48.0F);
     ImGui::SameLine();
     ImGui::BeginGroup();
     ImGui::Checkbox(element.kind == PolarimeterElementKind::polarizer ? "polarizer" : "retarder", &element.in_beam);
     tooltip("In the beam or out of it.");
     ImGui::SameLine();
-    if (ImGui::ArrowButton("up", ImGuiDir_Up)) wish.move = -1;
+    if (ImGui::ArrowButton("up", ImGuiDir_Up)) click.move = -1;
     tooltip("Meets the light one place earlier.");
     ImGui::SameLine(0.0F, 2.0F);
-    if (ImGui::ArrowButton("down", ImGuiDir_Down)) wish.move = 1;
+    if (ImGui::ArrowButton("down", ImGuiDir_Down)) click.move = 1;
     tooltip("Meets the light one place later.");
     ImGui::SameLine(0.0F, 2.0F);
-    if (ImGui::SmallButton("x")) wish.remove = true;
+    if (ImGui::SmallButton("x")) click.remove = true;
     tooltip("Removes the element.");
     degrees_field("##axis", element.axis, 0.5);
     tooltip(element.kind == PolarimeterElementKind::polarizer
@@ -74,7 +74,7 @@ Wish draw_element(PolarimeterElement& element) {
         tooltip("Half wave.");
     }
     ImGui::EndGroup();
-    return wish;
+    return click;
 }
 
 void draw_presets(Polarimeter& polarimeter, const Convention& convention) {
@@ -118,25 +118,26 @@ void draw_mueller(const Polarimeter& polarimeter, const Convention& convention) 
 
 }  // namespace
 
-void draw_polarimeter_panel(Session& session) {
-    Polarimeter& polarimeter = session.polarimeter;
-    draw_presets(polarimeter, session.view.convention);
+void draw_polarimeter_panel(const Session& session, Wishes& wishes) {
+    Polarimeter polarimeter = session.polarimeter();
+    draw_presets(polarimeter, session.view().convention);
     std::optional<std::size_t> removed;
     std::optional<std::pair<std::size_t, std::size_t>> swapped;
     for (std::size_t i = 0; i < polarimeter.elements.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const Wish wish = draw_element(polarimeter.elements[i]);
+        const Click click = draw_element(polarimeter.elements[i]);
         ImGui::PopID();
-        if (wish.remove) removed = i;
-        if (wish.move < 0 && i > 0) swapped = {i - 1, i};
-        if (wish.move > 0 && i + 1 < polarimeter.elements.size()) swapped = {i, i + 1};
+        if (click.remove) removed = i;
+        if (click.move < 0 && i > 0) swapped = {i - 1, i};
+        if (click.move > 0 && i + 1 < polarimeter.elements.size()) swapped = {i, i + 1};
     }
     if (swapped) std::swap(polarimeter.elements[swapped->first], polarimeter.elements[swapped->second]);
     if (removed) polarimeter.elements.erase(polarimeter.elements.begin() + static_cast<std::ptrdiff_t>(*removed));
+    if (polarimeter != session.polarimeter()) wishes.add([polarimeter](Session& s) { s.set_polarimeter(polarimeter); });
     if (polarimeter.empty())
         ImGui::TextDisabled("The light arrives as it is.");
     else
-        draw_mueller(polarimeter, session.view.convention);
+        draw_mueller(polarimeter, session.view().convention);
 }
 
 }  // namespace pol

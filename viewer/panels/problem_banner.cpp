@@ -12,7 +12,7 @@ void draw_problem_banner(const Session& session, const Frame& frame) {
     const Document* document = session.current();
     if (document == nullptr || !document->problem()) return;
     const ViewRect& view = frame.viewport;
-    const ThemeColors& color = colors(session.window.theme);
+    const ThemeColors& color = colors(session.window().theme);
     ImGui::SetNextWindowPos({static_cast<float>(view.origin.x), static_cast<float>(view.origin.y)});
     ImGui::SetNextWindowSize({static_cast<float>(view.size.x), 0.0F});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, color.popup);

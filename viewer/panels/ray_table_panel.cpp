@@ -25,9 +25,9 @@ std::string cell_text(const RayTable& rays, const RayTable::Column& column, int 
     return value ? short_number(*value, 7) : std::string();
 }
 
-void draw_exports(Session& session) {
+void draw_exports(Wishes& wishes) {
     const auto button = [&](const char* name, RayFormat format, const char* help) {
-        if (ImGui::SmallButton(name)) export_rays(session, format);
+        if (ImGui::SmallButton(name)) wishes.add([format](Session& s) { export_rays(s, format); });
         name_widget(std::string("export ") + name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
     };
@@ -66,7 +66,7 @@ void RayTablePanel::sort(int column, bool descending) {
         });
 }
 
-void RayTablePanel::draw_table(Session& session) {
+void RayTablePanel::draw_table(const Session& session, Wishes& wishes) {
     const RayTable& rays = *rays_;
     const auto columns = RayTable::columns();
     constexpr ImGuiTableFlags look = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
@@ -91,8 +91,8 @@ void RayTablePanel::draw_table(Session& session) {
             sort(specs->Specs[0].ColumnIndex, specs->Specs[0].SortDirection == ImGuiSortDirection_Descending);
         specs->SpecsDirty = false;
     }
-    if (session.selection.node != scrolled_to_) {
-        scrolled_to_ = session.selection.node;
+    if (session.selection().node != scrolled_to_) {
+        scrolled_to_ = session.selection().node;
         const auto found = scrolled_to_ ? std::find(order_.begin(), order_.end(), *scrolled_to_) : order_.end();
         if (found != order_.end()) {
             const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
@@ -110,9 +110,10 @@ void RayTablePanel::draw_table(Session& session) {
                 const std::string text = cell_text(rays, columns[static_cast<std::size_t>(c)], branch);
                 if (c > 0) {
                     ImGui::TextUnformatted(text.c_str());
-                } else if (ImGui::Selectable(text.c_str(), session.selection.node == branch,
+                } else if (ImGui::Selectable(text.c_str(), session.selection().node == branch,
                                              ImGuiSelectableFlags_SpanAllColumns)) {
-                    session.selection.node = scrolled_to_ = branch;
+                    scrolled_to_ = branch;
+                    wishes.add([branch](Session& s) { s.select_branch(branch); });
                 }
             }
         }
@@ -120,8 +121,8 @@ void RayTablePanel::draw_table(Session& session) {
     ImGui::EndTable();
 }
 
-void RayTablePanel::draw(Session& session) {
-    if (!draw_tree_state(session)) return;
+void RayTablePanel::draw(const Session& session, Wishes& wishes) {
+    if (!draw_tree_state(session, wishes)) return;
     if (explanation_ != session.explanation()) {
         rays_.reset();
         explanation_ = session.explanation();
@@ -129,12 +130,12 @@ void RayTablePanel::draw(Session& session) {
         rays_.emplace(*plan_, *explanation_);
         sort(sorted_by_, descending_);
     }
-    draw_sample_choice(session);
+    draw_sample_choice(session, wishes);
     ImGui::Text("%zu segments", explanation_->tree.nodes.size());
     ImGui::SameLine();
-    draw_exports(session);
-    say_tracers_convention(session.view.convention);
-    draw_table(session);
+    draw_exports(wishes);
+    say_tracers_convention(session.view().convention);
+    draw_table(session, wishes);
 }
 
 }  // namespace pol

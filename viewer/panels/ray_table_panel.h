@@ -7,18 +7,19 @@
 
 #include "report/ray_table.h"
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
 /// The ray states of the pinned pixel's tree as a table that can be sorted by any column and exported.
 class RayTablePanel {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 
 private:
     /// Row order for the column that the user sorts by.
     void sort(int column, bool descending);
-    void draw_table(Session& session);
+    void draw_table(const Session& session, Wishes& wishes);
 
     std::shared_ptr<const Plan> plan_;
     std::shared_ptr<const Explanation> explanation_;

@@ -10,14 +10,12 @@
 
 namespace pol {
 
-void draw_recent_files(Session& session) {
-    std::filesystem::path chosen;  // opening changes the list
-    for (const std::filesystem::path& file : session.recent_files) {
+void draw_recent_files(const Session& session, Wishes& wishes) {
+    for (const std::filesystem::path& file : session.recent_files()) {
         const std::string label = file.filename().string() + "  (" + file.parent_path().string() + ")";
-        if (ImGui::Selectable(label.c_str())) chosen = file;
+        if (ImGui::Selectable(label.c_str())) wishes.add([file](Session& s) { s.open(file); });
         name_widget("recent " + file.string());
     }
-    if (!chosen.empty()) session.open(chosen);
 }
 
 }  // namespace pol

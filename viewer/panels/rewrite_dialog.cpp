@@ -5,34 +5,23 @@
 
 #include <string>
 
-#include "viewer/widgets/widget_map.h"
+#include "viewer/commands/unsaved_edits.h"
+#include "viewer/widgets/question.h"
 
 namespace pol {
 
-void draw_rewrite_dialog(Session& session) {
-    bool& asked = session.window.rewrite_asked;
-    const Document* document = session.current();
-    if (document == nullptr) asked = false;
-    if (!asked) return;
+void draw_rewrite_dialog(const Session& session, Wishes& wishes) {
     constexpr const char* name = "Write the file anew?";
-    if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5F * display.x, 0.4F * display.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    if (!ImGui::BeginPopupModal(name, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove)) return;
-    log_window();
-    ImGui::Text("%s cannot take this edit as it is: written anew, it has other words and no comments.",
-                document->name().c_str());
-    ImGui::Text("The file that is there now is kept as %s.bak.", document->name().c_str());
+    const bool asked = session.window().question == Question::rewrite && session.current() != nullptr;
+    if (!begin_question(name, asked)) return;
+    const std::string& file = session.current()->name();
+    ImGui::Text("%s cannot take this edit as it is: written anew, it has other words and no comments.", file.c_str());
+    ImGui::Text("The file that is there now is kept as %s.bak.", file.c_str());
     ImGui::Spacing();
-    const bool agreed = ImGui::Button("Write anew");
-    name_widget("button Write anew");
+    if (button("Write anew")) wishes.add(write_anew);
     ImGui::SameLine();
-    if (agreed || ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
-        asked = false;
-        ImGui::CloseCurrentPopup();
-    }
+    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) wishes.add(stay);
     ImGui::EndPopup();
-    if (agreed) session.save(document->path(), Document::Rewrite::keep_backup);
 }
 
 }  // namespace pol

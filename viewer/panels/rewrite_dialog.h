@@ -2,11 +2,11 @@
 #pragma once
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
-/// Asks, while session.window.rewrite_asked, whether the file of the current document may be written anew: it cannot
-/// take an edit as it is (Document::save).
-void draw_rewrite_dialog(Session& session);
+/// Asks Question::rewrite: whether the file of the current document may be written anew.
+void draw_rewrite_dialog(const Session& session, Wishes& wishes);
 
 }  // namespace pol

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <system_error>
+#include <utility>
 
 #include "viewer/widgets/path_entry.h"
 #include "viewer/widgets/theme.h"
@@ -12,7 +13,7 @@ namespace pol {
 
 namespace fs = std::filesystem;
 
-void SaveAsDialog::save(Session& session) {
+void SaveAsDialog::save(const Session& session, Wishes& wishes) {
     const fs::path path = typed_path(typed_);
     const std::string ending = path.extension().string();
     std::error_code unknown;
@@ -22,18 +23,20 @@ void SaveAsDialog::save(Session& session) {
                path != to_replace_) {
         complaint_ = "This file exists. Save again to replace it.";
         to_replace_ = path;
-    } else if (session.save(path) || session.window.rewrite_asked) {
-        session.window.save_as_visible = false;
     } else {
-        complaint_ = session.log.lines().back().text;
+        wished_ = true;
+        wishes.add([path](Session& s) {
+            if (s.save(path) || s.window().question == Question::rewrite) s.change_window().save_as_visible = false;
+        });
     }
 }
 
-void SaveAsDialog::draw(Session& session) {
-    bool& visible = session.window.save_as_visible;
-    constexpr const char* name = "Save the scene as";
+void SaveAsDialog::draw(const Session& session, Wishes& wishes) {
     const Document* document = session.current();
-    if (document == nullptr || !document->has_scene()) visible = false;
+    bool visible = session.window().save_as_visible && document != nullptr && document->has_scene();
+    constexpr const char* name = "Save the scene as";
+    const bool was_wanted = std::exchange(wanted_, false);
+    const bool was_refused = std::exchange(wished_, false) && visible;
     if (visible && !ImGui::IsPopupOpen(name)) {
         std::error_code failed;
         const fs::path own = document->path().empty() ? fs::current_path(failed) / document->name() : document->path();
@@ -41,13 +44,15 @@ void SaveAsDialog::draw(Session& session) {
         complaint_.clear();
         to_replace_.clear();
         ImGui::OpenPopup(name);
+    } else if (was_refused) {
+        complaint_ = session.log().lines().back().text;
     }
     // Enter takes the keyboard from the entry; a refused name is to be corrected.
-    bool wanted = false;
-    if (!begin_path_page(name, visible, typed_, "scene.yaml", "Save", was_refused_, wanted)) return;
-    if (wanted) save(session);
-    was_refused_ = wanted && visible;
-    end_path_page(visible, complaint_, colors(session.window.theme).warning);
+    if (begin_path_page(name, visible, typed_, "scene.yaml", "Save", was_wanted, wanted_)) {
+        if (wanted_) save(session, wishes);
+        end_path_page(visible, complaint_, colors(session.window().theme).warning);
+    }
+    if (visible != session.window().save_as_visible) wishes.set(&WindowState::save_as_visible, visible);
 }
 
 }  // namespace pol

@@ -25,21 +25,21 @@ bool button(const char* name, bool enabled, const std::string& hint) {
     return pressed;
 }
 
-void draw_file(Session& session, const Document& document) {
+void draw_file(const Session& session, Wishes& wishes, const Document& document) {
     const EditHistory& history = document.history();
     ImGui::TextWrapped("%s%s", document.name().c_str(), document.dirty() ? "  (edited)" : "");
     if (button("Undo", history.can_undo(), history.can_undo() ? "Takes back: " + history.undo_label() : ""))
-        session.undo();
+        wishes.add(&Session::undo);
     ImGui::SameLine();
     if (button("Redo", history.can_redo(), history.can_redo() ? "Does again: " + history.redo_label() : ""))
-        session.redo();
+        wishes.add(&Session::redo);
     ImGui::SameLine();
-    if (button("Reload", !document.path().empty(), "Reads the file again (F5).")) session.reload();
+    if (button("Reload", !document.path().empty(), "Reads the file again (F5).")) wishes.add(&Session::reload);
     ImGui::SameLine();
     const bool can_save = document.dirty() || document.path().empty();
-    if (button("Save", can_save, "Writes the scene as YAML (Ctrl+Shift+S).")) action::save_scene(session);
+    if (button("Save", can_save, "Writes the scene as YAML (Ctrl+Shift+S).")) wishes.add(action::save_scene);
     if (const auto& problem = document.problem()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, colors(session.window.theme).error);
+        ImGui::PushStyleColor(ImGuiCol_Text, colors(session.window().theme).error);
         ImGui::TextWrapped("%s", to_string(*problem).c_str());
         ImGui::PopStyleColor();
     }
@@ -68,14 +68,14 @@ bool draw_rule(const char* name, std::optional<double>& rule, double usual, cons
     return changed;
 }
 
-void draw_stop_rules(Document& document) {
+void draw_stop_rules(const Document& document, Wishes& wishes) {
     StopRules rules = document.stop_rules();
     const bool time =
         draw_rule("seconds", rules.seconds, 60.0, "Stops after this time. A change starts the render over.");
     const bool error = draw_rule("error", rules.error, 0.01,
                                  "Stops when truncation (bound) and sampling (95 %) have each fallen to half of this "
                                  "part of the picture. A change starts the render over.");
-    if (time || error) document.set_stop_rules(rules);
+    if (time || error) wishes.add([of = &document, rules](Session& s) { s.set_stop_rules(of, rules); });
 }
 
 /// What the plan needs, and what it leaves out with the reason.
@@ -118,8 +118,8 @@ void draw_attributes(const Document& document) {
 
 }  // namespace
 
-void ScenePanel::draw(Session& session) {
-    Document* document = session.current();
+void ScenePanel::draw(const Session& session, Wishes& wishes) {
+    const Document* document = session.current();
     if (document == nullptr) {
         ImGui::TextDisabled("Nothing is open");
         return;
@@ -128,14 +128,14 @@ void ScenePanel::draw(Session& session) {
         draw_attributes(*document);
         return;
     }
-    draw_file(session, *document);
-    EditForm form(*document, session.window.theme);
+    draw_file(session, wishes, *document);
+    EditForm form(session, wishes);
     ImGui::PushItemWidth(0.5F * ImGui::GetContentRegionAvail().x);
     section("Camera", [&] { draw_camera_section(form); });
     section("Media", [&] { draw_media_section(form); });
     section("Lamps", [&] { draw_light_section(form); });
     section("Render", [&] { draw_render_section(form, wavelengths_); });
-    section("Stop", [&] { draw_stop_rules(*document); });
+    section("Stop", [&] { draw_stop_rules(*document, wishes); });
     ImGui::PopItemWidth();
     section("Plan", [&] { draw_plan(*document->plan()); });
 }

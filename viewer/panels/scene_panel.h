@@ -4,13 +4,14 @@
 #include <string>
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
 /// The scene of the current document, to edit; of a picture from a file, what the file says about itself.
 class ScenePanel {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 
 private:
     std::string wavelengths_;  // as being typed

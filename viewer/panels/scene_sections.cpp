@@ -26,24 +26,11 @@ namespace pol {
 
 namespace {
 
-/// Names of the index records that ship with the program.
-const std::vector<std::string>& index_records() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> found;
-        std::error_code none;
-        for (const auto& entry : std::filesystem::directory_iterator(assets_dir() / "refractive_index", none))
-            if (entry.path().extension() == ".yml") found.push_back(entry.path().stem().string());
-        std::sort(found.begin(), found.end());
-        return found;
-    }();
-    return names;
-}
-
 /// A constant that can be dragged, or one of the records.
 void record_field(EditForm& form, const std::string& label, RefractiveIndex& index) {
     static const std::string constant = "constant";
     std::vector<std::string> names{constant};
-    names.insert(names.end(), index_records().begin(), index_records().end());
+    names.insert(names.end(), form.index_records().begin(), form.index_records().end());
     int current = 0;
     if (const auto* dispersive = std::get_if<DispersiveIndex>(&index)) {
         const auto stem = std::filesystem::path(dispersive->name).stem().string();

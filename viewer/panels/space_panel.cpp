@@ -55,7 +55,7 @@ ImVec2 in_window(const DVec2& origin, const DVec2& at) {
 
 }  // namespace
 
-void SpacePanel::draw(Session& session) {
+void SpacePanel::draw(const Session& session, Wishes& wishes) {
     const Document* document = session.current();
     if (document == nullptr) return;
     if (!document->has_scene()) {
@@ -64,7 +64,7 @@ void SpacePanel::draw(Session& session) {
     }
     follow(*document, session.explanation());
     draw_buttons();
-    draw_canvas(session);
+    draw_canvas(session, wishes);
 }
 
 void SpacePanel::follow(const Document& document, const std::shared_ptr<const Explanation>& explanation) {
@@ -115,7 +115,7 @@ void SpacePanel::draw_buttons() {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Backward paths of the pinned pixel: width by weight.");
 }
 
-void SpacePanel::draw_canvas(Session& session) {
+void SpacePanel::draw_canvas(const Session& session, Wishes& wishes) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float legend = 2.0F * ImGui::GetTextLineHeightWithSpacing();
@@ -127,7 +127,7 @@ void SpacePanel::draw_canvas(Session& session) {
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     name_widget("space");
     move_view();
-    select(session);
+    select(wishes);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
@@ -152,14 +152,14 @@ void SpacePanel::move_view() {
     if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) view_.zoom(std::pow(1.2, io.MouseWheel));
 }
 
-void SpacePanel::select(Session& session) {
+void SpacePanel::select(Wishes& wishes) {
     if (!show_paths_ || !ImGui::IsItemHovered()) return;
     const ImGuiIO& io = ImGui::GetIO();
     const DVec2 at = DVec2(io.MousePos.x, io.MousePos.y) - origin_;
     const std::optional<int> node = node_at(segments_, view_, size_, at, reach);
     constexpr float click2 = 16.0F;  ///< squared: a drag of less than four points is a click
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < click2)
-        session.selection.node = node;
+        wishes.add([node](Session& s) { s.select_branch(node); });
     if (!node || ImGui::IsAnyMouseDown()) return;
     const RayTreeNode& branch = explanation_->tree.nodes[static_cast<std::size_t>(*node)];
     const bool met_something = branch.arrived && branch.crossing.body >= 0;
@@ -247,7 +247,7 @@ void SpacePanel::draw_paths(const Session& session) {
 }
 
 void SpacePanel::draw_selected(const Session& session) {
-    const std::optional<int> node = session.selection.node;
+    const std::optional<int> node = session.selection().node;
     if (!node || !explanation_) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 highlight = text_color(1.0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 #include "viewer/space/space_paths.h"
 #include "viewer/space/space_view.h"
 #include "viewer/space/space_wireframe.h"
@@ -16,7 +17,7 @@ namespace pol {
 /// Drag turns, Shift or the right button moves, the wheel zooms, a click selects a branch of the tree.
 class SpacePanel {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 
 private:
     /// Pieces of one body's lines, for one place of the eye.
@@ -29,7 +30,7 @@ private:
     void reset();
     void look_from_camera();
     void draw_buttons();
-    void draw_canvas(Session& session);
+    void draw_canvas(const Session& session, Wishes& wishes);
     void draw_bodies();
     void draw_camera_and_axes();
     void draw_paths(const Session& session);
@@ -37,7 +38,7 @@ private:
     void draw_triad();
     void draw_legend(const Session& session);
     void move_view();
-    void select(Session& session);
+    void select(Wishes& wishes);
 
     std::shared_ptr<const Plan> plan_;  // what the lines below belong to
     const Document* document_ = nullptr;

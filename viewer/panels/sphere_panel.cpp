@@ -26,8 +26,8 @@ constexpr double pick_distance = 8.0;
 TileRect region_of(const Session& session) {
     const StokesImage& picture = session.current()->picture();
     const TileRect whole{0, 0, picture.width, picture.height};
-    if (!session.selection.region) return whole;
-    TileRect region = *session.selection.region;
+    if (!session.selection().region) return whole;
+    TileRect region = *session.selection().region;
     region.x1 = std::min(region.x1, whole.x1);
     region.y1 = std::min(region.y1, whole.y1);
     return region.x0 < region.x1 && region.y0 < region.y1 ? region : whole;
@@ -95,12 +95,12 @@ void draw_marker(ImDrawList& list, const DVec2& at, std::size_t wavelength, floa
 
 }  // namespace
 
-void SpherePanel::draw(Session& session) {
+void SpherePanel::draw(const Session& session, Wishes& wishes) {
     if (session.current() == nullptr) {
         ImGui::TextDisabled("Open a scene or a picture");
         return;
     }
-    choose_source(session);
+    choose_source(session, wishes);
     points_ = points(session);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 available = ImGui::GetContentRegionAvail();
@@ -109,19 +109,19 @@ void SpherePanel::draw(Session& session) {
     name_widget("sphere");
     const DVec2 center(at.x + 0.5F * side, at.y + 0.5F * side);
     const double radius = 0.42 * static_cast<double>(side);
-    handle_mouse(session, center, radius);
+    handle_mouse(session, wishes, center, radius);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(0, 0, 0, 60));
-    draw_globe(list, view_, session.view.convention, center, radius);
+    draw_globe(list, view_, session.view().convention, center, radius);
     draw_points(session, center, radius);
     for (std::size_t i = 0; i + 1 < lasso_.size(); ++i)
         list.AddLine(point(center + radius * DVec2(lasso_[i].x, -lasso_[i].y)),
                      point(center + radius * DVec2(lasso_[i + 1].x, -lasso_[i + 1].y)), pin_ink, 1.5F);
     ImGui::TextDisabled("%zu %s; %s", points_.size(), points_.size() == 1 ? "point" : "points",
-                        session.view.convention.stokes_text().c_str());
+                        session.view().convention.stokes_text().c_str());
 }
 
-void SpherePanel::choose_source(Session& session) {
+void SpherePanel::choose_source(const Session& session, Wishes& wishes) {
     int source = static_cast<int>(source_);
     ImGui::RadioButton("pins", &source, static_cast<int>(Source::pins));
     tooltip("The pinned pixels at all wavelengths; the shape of a marker says the wavelength, a line follows them.");
@@ -136,9 +136,9 @@ void SpherePanel::choose_source(Session& session) {
     ImGui::SameLine();
     ImGui::Checkbox("front", &front_only_);
     tooltip("The lasso (Shift and drag) takes only points of the half that faces you.");
-    if (!session.selection.marked.empty()) {
+    if (!session.selection().marked.empty()) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("clear marks")) session.selection.mark({});
+        if (ImGui::SmallButton("clear marks")) wishes.add([](Session& s) { s.mark({}); });
     }
 }
 
@@ -147,9 +147,9 @@ std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
     const ShownPicture shown = session.shown_picture();
     std::vector<SpherePoint> found;
     if (source_ == Source::region)
-        return sphere_points(shown, session.view.wavelength, region_of(session), most_points);
+        return sphere_points(shown, session.view().wavelength, region_of(session), most_points);
     if (source_ == Source::pins) {
-        for (const PixelAddress& pin : session.selection.pins) {
+        for (const PixelAddress& pin : session.selection().pins) {
             for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w) {
                 auto point = sphere_point(shown.stokes(w, picture.pixel(pin.x, pin.y)));
                 if (!point) continue;
@@ -161,10 +161,11 @@ std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
         return found;
     }
     const auto explanation = session.explanation();
-    return explanation ? sphere_points(*explanation, session.polarimeter, session.view.convention, most_points) : found;
+    return explanation ? sphere_points(*explanation, session.polarimeter(), session.view().convention, most_points)
+                       : found;
 }
 
-void SpherePanel::handle_mouse(Session& session, const DVec2& center, double radius) {
+void SpherePanel::handle_mouse(const Session& session, Wishes& wishes, const DVec2& center, double radius) {
     const ImGuiIO& io = ImGui::GetIO();
     const DVec2 mouse(io.MousePos.x, io.MousePos.y);
     const DVec2 place = DVec2(mouse.x - center.x, center.y - mouse.y) / radius;
@@ -179,8 +180,8 @@ void SpherePanel::handle_mouse(Session& session, const DVec2& center, double rad
                            ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, click_slack).x == 0.0F &&
                            ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, click_slack).y == 0.0F;
     if (ImGui::IsItemDeactivated() && lasso_.size() > 2) {
-        session.selection.mark(pixels_inside(session.shown_picture(), session.view.wavelength, region_of(session),
-                                             view_, lasso_, front_only_));
+        wishes.add([pixels = pixels_inside(session.shown_picture(), session.view().wavelength, region_of(session),
+                                           view_, lasso_, front_only_)](Session& s) { s.mark(pixels); });
         source_ = Source::region;
     }
     if (ImGui::IsItemDeactivated()) lasso_.clear();
@@ -204,8 +205,8 @@ void SpherePanel::handle_mouse(Session& session, const DVec2& center, double rad
                       short_number(nearest->place.x, 4).c_str(), short_number(nearest->place.y, 4).c_str(),
                       short_number(nearest->place.z, 4).c_str(), short_number(nearest->intensity, 4).c_str());
     if (!was_click) return;
-    if (nearest->pixel) session.pin(*nearest->pixel);
-    if (nearest->node) session.selection.node = nearest->node;
+    if (nearest->pixel) wishes.add([pixel = *nearest->pixel](Session& s) { s.pin(pixel); });
+    if (nearest->node) wishes.add([node = *nearest->node](Session& s) { s.select_branch(node); });
 }
 
 void SpherePanel::draw_points(const Session& session, const DVec2& center, double radius) const {
@@ -213,7 +214,7 @@ void SpherePanel::draw_points(const Session& session, const DVec2& center, doubl
     double brightest = std::numeric_limits<double>::min();
     for (const SpherePoint& p : points_) brightest = std::max(brightest, p.intensity);
     const StokesImage& picture = session.current()->picture();
-    const std::vector<bool>& marked = session.selection.marked;
+    const std::vector<bool>& marked = session.selection().marked;
     const bool has_marks = marked.size() == picture.pixel_count();
     const SpherePoint* before = nullptr;
     for (const SpherePoint& p : points_) {
@@ -230,7 +231,7 @@ void SpherePanel::draw_points(const Session& session, const DVec2& center, doubl
         const bool is_many = source_ == Source::region;
         draw_marker(list, at, is_many ? 0 : p.wavelength, is_many ? 1.8F : 3.5F, ink(encode(color), alpha));
         const bool is_selected =
-            (p.node && p.node == session.selection.node) || (p.pixel && p.pixel == session.selection.hovered);
+            (p.node && p.node == session.selection().node) || (p.pixel && p.pixel == session.selection().hovered);
         if (is_selected) list.AddCircle(point(at), 6.0F, pin_ink, 16, 1.5F);
     }
 }

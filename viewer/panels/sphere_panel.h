@@ -7,6 +7,7 @@
 
 #include "viewer/pages/sphere_view.h"
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
@@ -14,14 +15,14 @@ namespace pol {
 /// pixel's tree. Dragging turns it; Shift and dragging draws a lasso that marks pixels in the picture; a click pins.
 class SpherePanel {
 public:
-    void draw(Session& session);
+    void draw(const Session& session, Wishes& wishes);
 
 private:
     enum class Source : int { pins, region, leaves };
 
-    void choose_source(Session& session);
+    void choose_source(const Session& session, Wishes& wishes);
     [[nodiscard]] std::vector<SpherePoint> points(const Session& session) const;
-    void handle_mouse(Session& session, const DVec2& center, double radius);
+    void handle_mouse(const Session& session, Wishes& wishes, const DVec2& center, double radius);
     void draw_points(const Session& session, const DVec2& center, double radius) const;
 
     Source source_ = Source::pins;

@@ -110,14 +110,14 @@ void draw_export(const ExportQueue& exports, const ThemeColors& color) {
 }
 
 /// The last message; a click opens the log, where its further lines (address, remedy) are.
-void draw_message(Session& session) {
-    const std::vector<LogLine>& lines = session.log.lines();
+void draw_message(const Session& session, Wishes& wishes) {
+    const std::vector<LogLine>& lines = session.log().lines();
     if (lines.empty()) return;
     ImGui::SameLine(0.0F, ImGui::GetFontSize());
     std::string text = lines.back().text;
     if (const std::size_t end = text.find('\n'); end != std::string::npos) text = text.substr(0, end) + " ...";
-    ImGui::PushStyleColor(ImGuiCol_Text, color_of(session.window.theme, lines.back().severity));
-    if (ImGui::Selectable(text.c_str())) session.window.log_visible = !session.window.log_visible;
+    ImGui::PushStyleColor(ImGuiCol_Text, color_of(session.window().theme, lines.back().severity));
+    if (ImGui::Selectable(text.c_str())) wishes.set(&WindowState::log_visible, !session.window().log_visible);
     ImGui::PopStyleColor();
     name_widget("last message");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n\nClick: all messages (Ctrl+L)", lines.back().text.c_str());
@@ -125,9 +125,9 @@ void draw_message(Session& session) {
 
 }  // namespace
 
-void draw_status_line(Session& session) {
+void draw_status_line(const Session& session, Wishes& wishes) {
     const Document* document = session.current();
-    const ThemeColors& color = colors(session.window.theme);
+    const ThemeColors& color = colors(session.window().theme);
     if (document == nullptr) {
         ImGui::TextUnformatted("Nothing is open");
     } else {
@@ -142,8 +142,8 @@ void draw_status_line(Session& session) {
         }
     }
     draw_reference(session, color);
-    draw_export(session.exports, color);
-    draw_message(session);
+    draw_export(session.exports(), color);
+    draw_message(session, wishes);
 }
 
 }  // namespace pol

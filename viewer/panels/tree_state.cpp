@@ -7,9 +7,9 @@
 
 namespace pol {
 
-bool draw_tree_state(Session& session) {
+bool draw_tree_state(const Session& session, Wishes& wishes) {
     const Document* document = session.current();
-    if (document == nullptr || !session.selection.pinned()) {
+    if (document == nullptr || !session.selection().pinned()) {
         ImGui::TextWrapped("Click a pixel of the picture: the paths that made it appear here.");
         return false;
     }
@@ -29,7 +29,7 @@ bool draw_tree_state(Session& session) {
             if (status.branches == 0) return false;
             ImGui::Text("%zu branches found", status.branches);
             ImGui::TextDisabled("node budget: %zu to follow", status.budget);
-            if (ImGui::Button("Cancel")) session.cancel_explanation();
+            if (ImGui::Button("Cancel")) wishes.add(&Session::cancel_explanation);
             return false;
         case ExplanationState::cancelled:
             ImGui::TextUnformatted("Cancelled.");
@@ -38,18 +38,20 @@ bool draw_tree_state(Session& session) {
             ImGui::TextWrapped("%s.", status.problem.c_str());
             break;
     }
-    if (ImGui::Button("Try again")) session.restart_explanation();
+    if (ImGui::Button("Try again")) wishes.add(&Session::restart_explanation);
     return false;
 }
 
-void draw_sample_choice(Session& session) {
+void draw_sample_choice(const Session& session, Wishes& wishes) {
     const RenderSettings& settings = session.current()->plan()->settings;
     const int last = settings.last_sample();
     if (last == 0) return;
-    int sample = std::min(static_cast<int>(session.selection.sample), last);
+    int sample = std::min(static_cast<int>(session.selection().sample), last);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8.0F);
     if (ImGui::InputInt("Sample", &sample))
-        session.selection.sample = static_cast<std::uint32_t>(std::clamp(sample, 0, last));
+        wishes.add([chosen = static_cast<std::uint32_t>(std::clamp(sample, 0, last))](Session& s) {
+            s.select_sample(chosen);
+        });
     if (!ImGui::IsItemHovered()) return;
     if (settings.first_sample() == 0)
         ImGui::SetTooltip("Which of the %d samples of the ray through the pixel's centre", last + 1);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "viewer/session/session.h"
+#include "viewer/session/wishes.h"
 
 namespace pol {
 
-/// Asks once what to do with edits that no file has, before the program ends (session.window.quit) or a document is
-/// closed (session.window.close_asked). Without such edits the answer is known.
-void draw_unsaved_dialog(Session& session);
+/// Asks what to do with edits that no file has, before the program ends or a document is closed (Question).
+void draw_unsaved_dialog(const Session& session, Wishes& wishes);
 
 }  // namespace pol

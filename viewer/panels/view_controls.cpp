@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "viewer/session/map_look.h"
@@ -36,70 +37,71 @@ bool slide(const char* name, double& value, double low, double high, const char*
     return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format);
 }
 
-void choose_wavelength(Session& session) {
+void choose_wavelength(const Session& session, Wishes& wishes) {
     const auto& wavelengths = session.current()->picture().wavelengths_nm;
-    int index = static_cast<int>(session.view.wavelength);
-    const std::string shown = fmt::format("{:.6g} nm", wavelengths[session.view.wavelength]);
+    int index = static_cast<int>(session.view().wavelength);
+    const std::string shown = fmt::format("{:.6g} nm", wavelengths[session.view().wavelength]);
     if (ImGui::SliderInt("wavelength", &index, 0, static_cast<int>(wavelengths.size()) - 1, shown.c_str(),
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
-        session.view.wavelength = static_cast<std::size_t>(index);
+        wishes.add([chosen = static_cast<std::size_t>(index)](Session& s) { s.choose_wavelength(chosen); });
     tooltip(
         "In vacuum. Every map but the color picture shows one of the rendered wavelengths; the keys [ and ] step "
         "through them.");
 }
 
-void choose_scale(ViewSettings& view) {
-    int index = view.scale ? static_cast<int>(*view.scale) + 1 : 0;
-    if (ImGui::Combo("scale", &index, scale_names.data(), static_cast<int>(scale_names.size()))) {
-        view.scale.reset();
-        if (index > 0) view.scale = static_cast<ColorScale>(index - 1);
-    }
+void choose_scale(std::optional<ColorScale> scale, Wishes& wishes) {
+    int index = scale ? static_cast<int>(*scale) + 1 : 0;
+    if (ImGui::Combo("scale", &index, scale_names.data(), static_cast<int>(scale_names.size())))
+        wishes.set(&ViewSettings::scale, index > 0 ? std::optional(static_cast<ColorScale>(index - 1)) : std::nullopt);
     tooltip("Colors of the map. Sequential, diverging and cyclic can be read without color vision.");
 }
 
 }  // namespace
 
-void draw_view_controls(Session& session) {
-    ViewSettings& view = session.view;
+void draw_view_controls(const Session& session, Wishes& wishes) {
+    ViewSettings view = session.view();
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - 80.0F);
-    choose_wavelength(session);
-    choose("style", view.style, style_names);
+    choose_wavelength(session, wishes);
+    if (choose("style", view.style, style_names)) wishes.set(&ViewSettings::style, view.style);
     tooltip(
         "Scientific: scales that need no color vision, states without a value in colors of their own. Paper: value "
         "times D65, black where there is no light or no polarization, as Debelov & Kozlov print it; signed maps and "
         "the "
         "azimuth as scientific. Wilkie & Weidlich: their colors of 2010.");
-    choose_scale(view);
-    slide("exposure", view.exposure, -10.0, 10.0, "%+.2f stops");
+    choose_scale(view.scale, wishes);
+    if (slide("exposure", view.exposure, -10.0, 10.0, "%+.2f stops"))
+        wishes.set(&ViewSettings::exposure, view.exposure);
     tooltip(
         "Light is multiplied by 2^exposure: color, intensity and maps over the intensity. E brightens, Shift+E "
         "darkens.");
-    slide("offset", view.offset, -1.0, 1.0, "%+.3f");
+    if (slide("offset", view.offset, -1.0, 1.0, "%+.3f")) wishes.set(&ViewSettings::offset, view.offset);
     tooltip("Added after exposure: color and intensity. O and Shift+O.");
-    slide("gamma", view.gamma, 0.2, 5.0, "%.2f");
+    if (slide("gamma", view.gamma, 0.2, 5.0, "%.2f")) wishes.set(&ViewSettings::gamma, view.gamma);
     tooltip("value^(1/gamma) after the offset, on top of sRGB: color and intensity. G and Shift+G.");
     ImGui::PopItemWidth();
-    if (ImGui::SmallButton("normalize")) fit_bar_range(session);
+    if (ImGui::SmallButton("normalize")) wishes.add(fit_bar_range);
     tooltip("From the smallest to the largest value that the picture has (N).");
     ImGui::SameLine();
-    if (ImGui::SmallButton("own range")) reset_bar_range(session);
+    if (ImGui::SmallButton("own range")) wishes.add(reset_bar_range);
     tooltip("The range that the quantity has of itself.");
-    ImGui::Checkbox("over intensity", &view.over_intensity);
+    if (ImGui::Checkbox("over intensity", &view.over_intensity))
+        wishes.set(&ViewSettings::over_intensity, view.over_intensity);
     tooltip("The map's color with the lightness of the picture.");
     ImGui::SameLine();
-    ImGui::Checkbox("fade by bar", &view.fade_by_bar);
+    if (ImGui::Checkbox("fade by bar", &view.fade_by_bar)) wishes.set(&ViewSettings::fade_by_bar, view.fade_by_bar);
     tooltip(
         "The wider the error bar of a pixel, the weaker its color; gray where the bar covers half of the range. Not on "
         "a "
         "gray scale, where gray is a value, and not for intensity and residual.");
-    ImGui::Checkbox("numbers", &view.numbers_in_pixels);
+    if (ImGui::Checkbox("numbers", &view.numbers_in_pixels))
+        wishes.set(&ViewSettings::numbers_in_pixels, view.numbers_in_pixels);
     tooltip(
         "The value inside each pixel when it is zoomed large enough. ? not determined, - undefined or no light, ! "
         "unphysical.");
 }
 
-void draw_glyph_controls(ViewSettings& view) {
-    GlyphSettings& glyphs = view.glyphs;
+void draw_glyph_controls(const ViewSettings& view, Wishes& wishes) {
+    GlyphSettings glyphs = view.glyphs;
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - 80.0F);
     choose("ellipses", glyphs.kind, glyph_names);
     tooltip(("Polarization of the mean light around each glyph, where it stands above rounding and above what was not "
@@ -115,6 +117,7 @@ void draw_glyph_controls(ViewSettings& view) {
         tooltip("Distance of the glyphs on screen, whatever the zoom.");
     }
     ImGui::PopItemWidth();
+    if (glyphs != view.glyphs) wishes.set(&ViewSettings::glyphs, glyphs);
 }
 
 }  // namespace pol

@@ -4,7 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <system_error>
+#include <filesystem>
+#include <vector>
 
 #include "io/files/assets.h"
 #include "viewer/panels/recent_files.h"
@@ -14,18 +15,7 @@
 
 namespace pol {
 
-namespace fs = std::filesystem;
-
 namespace {
-
-std::vector<fs::path> shipped_scenes() {
-    std::vector<fs::path> scenes;
-    std::error_code failed;
-    for (const fs::directory_entry& entry : fs::directory_iterator(assets_dir() / "scenes", failed))
-        if (entry.path().extension() == ".yaml") scenes.push_back(entry.path());
-    std::sort(scenes.begin(), scenes.end());
-    return scenes;
-}
 
 void heading(const char* text) {
     ImGui::Dummy({0.0F, 0.5F * ImGui::GetFontSize()});
@@ -36,11 +26,7 @@ void heading(const char* text) {
 
 }  // namespace
 
-void Welcome::draw(Session& session) {
-    if (!looked_) {
-        shipped_ = shipped_scenes();
-        looked_ = true;
-    }
+void draw_welcome(const Session& session, Wishes& wishes) {
     const float em = ImGui::GetFontSize();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float width = std::min(38.0F * em, room.x - 2.0F * em);
@@ -51,26 +37,27 @@ void Welcome::draw(Session& session) {
     ImGui::TextUnformatted("polariscope");
     ImGui::PopFont();
     ImGui::TextUnformatted("Nothing is open. Drop a scene (*.yaml) or a picture (*.exr) here, or");
-    if (ImGui::Button("Open a file...  Ctrl+O")) session.window.path_entry_visible = true;
+    if (ImGui::Button("Open a file...  Ctrl+O")) wishes.set(&WindowState::path_entry_visible, true);
     name_widget("button open");
     ImGui::SameLine();
-    if (ImGui::Button("Keys and mouse  F1")) session.window.help_visible = true;
+    if (ImGui::Button("Keys and mouse  F1")) wishes.set(&WindowState::help_visible, true);
 
     // An error would be overlooked in the status line of an empty window.
-    const auto& lines = session.log.lines();
+    const auto& lines = session.log().lines();
     if (!lines.empty() && lines.back().severity == Severity::error)
-        ImGui::TextColored(colors(session.window.theme).error, "%s", lines.back().text.c_str());
+        ImGui::TextColored(colors(session.window().theme).error, "%s", lines.back().text.c_str());
 
-    if (!session.recent_files.empty()) {
+    if (!session.recent_files().empty()) {
         heading("Opened before");
-        draw_recent_files(session);
+        draw_recent_files(session, wishes);
     }
     heading("Scenes that come with it");
-    for (const fs::path& scene : shipped_) {
-        if (ImGui::Selectable(scene.stem().c_str())) session.open(scene);
+    const std::vector<std::filesystem::path>& shipped = session.shipped_files().scenes;
+    for (const std::filesystem::path& scene : shipped) {
+        if (ImGui::Selectable(scene.stem().c_str())) wishes.add([scene](Session& s) { s.open(scene); });
         name_widget("scene " + scene.stem().string());
     }
-    if (shipped_.empty())
+    if (shipped.empty())
         ImGui::TextDisabled("None found in %s; set POLARISCOPE_ASSETS to the folder assets/ of the source.",
                             (assets_dir() / "scenes").c_str());
     ImGui::PopTextWrapPos();

@@ -136,18 +136,18 @@ struct Drawn {
 };
 
 Drawn what_to_draw(const Session& session, int width, int height, double pixel_ratio) {
-    const ViewSettings& view = session.view;
+    const ViewSettings& view = session.view();
     const StokesImage& picture = session.current()->picture();
     const MapScale look = map_look(session);
     const auto d65 = d65_at(picture.wavelengths_nm[view.wavelength]);
-    const auto first_row = session.polarimeter.mueller().m[0];
+    const auto first_row = session.polarimeter().mueller().m[0];
     Drawn drawn;
     drawn.width = width;
     drawn.height = height;
-    drawn.origin = {to_single(session.transform.offset.x * pixel_ratio),
-                    to_single(session.transform.offset.y * pixel_ratio)};
-    drawn.zoom = to_single(session.transform.scale * pixel_ratio);
-    drawn.hatch = to_single(session.transform.scale);
+    drawn.origin = {to_single(session.transform().offset.x * pixel_ratio),
+                    to_single(session.transform().offset.y * pixel_ratio)};
+    drawn.zoom = to_single(session.transform().scale * pixel_ratio);
+    drawn.hatch = to_single(session.transform().scale);
     const bool is_picture = view.quantity == Quantity::color;
     drawn.variant = {view.quantity, view.over_intensity && !is_picture, session.comparison().has_value(),
                      drawn.zoom < 1.0F};
@@ -159,7 +159,7 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     drawn.high = to_single(look.range.high);
     drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[view.wavelength]);
     drawn.d65 = d65 ? to_single(d65.value()) : 0.0F;
-    drawn.has_polarimeter = !session.polarimeter.empty();
+    drawn.has_polarimeter = !session.polarimeter().empty();
     drawn.polarimeter_row = to_single(first_row[0], first_row[1], first_row[2], first_row[3]);
     drawn.gain = to_single(std::exp2(view.exposure));
     drawn.offset = to_single(view.offset);
@@ -205,6 +205,7 @@ struct PictureRenderer::Gpu {
 
     // What the textures hold.
     std::optional<std::uint64_t> layout;  ///< none: no picture
+    std::uint64_t picture_version = 0;
     std::size_t wavelength = 0;
     Polarimeter polarimeter;
     Convention convention;
@@ -227,28 +228,30 @@ Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create() {
     return std::unique_ptr<PictureRenderer>(new PictureRenderer(std::move(gpu)));
 }
 
-void PictureRenderer::upload(Session& session) {
-    Document* document = session.current();
+void PictureRenderer::upload(const Session& session) {
+    const Document* document = session.current();
     if (document == nullptr || document->picture().pixel_count() == 0) {
         gpu_->layout.reset();
         return;
     }
     const StokesImage& picture = document->picture();
     const TileRect everything{0, 0, picture.width, picture.height};
-    const std::vector<TileRect> changes = document->take_changes();
-
     const bool is_new = gpu_->layout != document->picture_layout();
-    const bool is_other_light = session.view.wavelength != gpu_->wavelength ||
-                                session.polarimeter != gpu_->polarimeter || session.view.convention != gpu_->convention;
+    const std::vector<TileRect> changes =
+        is_new ? std::vector{everything} : document->changes_since(gpu_->picture_version);
+    const bool is_other_light = session.view().wavelength != gpu_->wavelength ||
+                                session.polarimeter() != gpu_->polarimeter ||
+                                session.view().convention != gpu_->convention;
     if (is_new) {
         gpu_->stokes.resize(picture.width, picture.height);
         gpu_->left_out.resize(picture.width, picture.height);
         for (FloatTexture& channel : gpu_->color) channel.resize(picture.width, picture.height);
     }
     gpu_->layout = document->picture_layout();
-    gpu_->wavelength = session.view.wavelength;
-    gpu_->polarimeter = session.polarimeter;
-    gpu_->convention = session.view.convention;
+    gpu_->picture_version = document->picture_version();
+    gpu_->wavelength = session.view().wavelength;
+    gpu_->polarimeter = session.polarimeter();
+    gpu_->convention = session.view().convention;
 
     const ShownPicture shown = session.shown_picture();
     const auto write_light = [&](const TileRect& rect) {
@@ -261,22 +264,18 @@ void PictureRenderer::upload(Session& session) {
         const ColorFloats floats = color_floats(picture, weights, rect);
         for (std::size_t c = 0; c < floats.size(); ++c) gpu_->color[c].write(rect, floats[c]);
     };
-    if (is_new || is_other_light) {
+    if (is_other_light) {
         write_light(everything);
     } else {
         for (const TileRect& rect : changes) write_light(rect);
     }
-    if (is_new) {
-        write_color(everything);
-    } else {
-        for (const TileRect& rect : changes) write_color(rect);
-    }
-    if (is_new || is_other_light || !changes.empty()) gpu_->drawn.reset();
+    for (const TileRect& rect : changes) write_color(rect);
+    if (is_other_light || !changes.empty()) gpu_->drawn.reset();
     upload_difference(session);
 }
 
 void PictureRenderer::upload_difference(const Session& session) {
-    const ShownMap& map = session.shown_map;
+    const ShownMap& map = session.shown_map();
     if (!session.comparison()) {
         gpu_->difference_version.reset();
         return;

@@ -21,7 +21,7 @@ public:
     PictureRenderer& operator=(const PictureRenderer&) = delete;
 
     /// Takes over what changed in the session's picture since the last call.
-    void upload(Session& session);
+    void upload(const Session& session);
 
     /// Draws the session's map into a texture of `width` x `height` device pixels, which shows the viewport of
     /// `width / pixel_ratio` logical points. The texture's first row is the lowest of the view. Returns the name of the

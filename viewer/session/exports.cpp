@@ -180,7 +180,7 @@ fs::path free_export_path(const Session& session, const std::string& stem, const
     const fs::path folder = fs::is_directory("out", ignored) ? fs::path("out") : fs::path();
     for (int number = 1;; ++number) {
         const fs::path path = folder / (number == 1 ? stem + ending : fmt::format("{}-{}{}", stem, number, ending));
-        if (!fs::exists(path, ignored) && !session.exports.will_write(path)) return path;
+        if (!fs::exists(path, ignored) && !session.exports().will_write(path)) return path;
     }
 }
 
@@ -191,7 +191,7 @@ void export_snapshot(Session& session) {
     const fs::path path = free_export_path(session, stem_of(*document), ".exr");
     std::optional<Scene> scene;
     if (document->has_scene()) scene = document->scene();
-    session.exports.start(
+    session.start_export(
         "EXR snapshot", path,
         [lent = document->lend_picture(), scene = std::move(scene), name = document->name(),
          path](ExportProgress& progress) mutable -> Result<Done> {
@@ -209,7 +209,7 @@ void export_map(Session& session) {
     const Document* document = session.current();
     if (document == nullptr) return;
     session.catch_up();
-    const ViewSettings& view = session.view;
+    const ViewSettings& view = session.view();
     const std::string quantity(info(view.quantity).name);
     const auto comparison = session.comparison();
     const fs::path path =
@@ -227,12 +227,12 @@ void export_map(Session& session) {
         reference = LentReference{comparison->reference->lend_picture(), comparison->wavelength};
         caption += " minus " + comparison->reference->name();
     }
-    if (!session.polarimeter.empty()) caption += ", behind the polarimeter";
-    session.exports.start("PNG of the map", path,
-                          [lent = document->lend_picture(), view, options, polarimeter = session.polarimeter,
-                           reference = std::move(reference), caption, path](ExportProgress& progress) {
-                              return write_map(*lent, view, options, polarimeter, reference, caption, path, progress);
-                          });
+    if (!session.polarimeter().empty()) caption += ", behind the polarimeter";
+    session.start_export("PNG of the map", path,
+                         [lent = document->lend_picture(), view, options, polarimeter = session.polarimeter(),
+                          reference = std::move(reference), caption, path](ExportProgress& progress) {
+                             return write_map(*lent, view, options, polarimeter, reference, caption, path, progress);
+                         });
 }
 
 void export_pixels(Session& session) {
@@ -240,10 +240,10 @@ void export_pixels(Session& session) {
     if (document == nullptr) return;
     session.catch_up();
     const fs::path path = free_export_path(session, stem_of(*document), ".csv");
-    session.exports.start(
+    session.start_export(
         "CSV of the pixels", path,
-        [lent = document->lend_picture(), wanted = wanted_pixels(session.selection, document->picture()),
-         polarimeter = session.polarimeter, convention = session.view.convention, path](ExportProgress& progress) {
+        [lent = document->lend_picture(), wanted = wanted_pixels(session.selection(), document->picture()),
+         polarimeter = session.polarimeter(), convention = session.view().convention, path](ExportProgress& progress) {
             return write_pixels(*lent, wanted, polarimeter, convention, path, progress);
         });
 }
@@ -251,7 +251,15 @@ void export_pixels(Session& session) {
 void export_window(Session& session) {
     const Document* document = session.current();
     const std::string stem = document != nullptr ? stem_of(*document) : "polariscope";
-    session.window.picture_of_window = free_export_path(session, stem + "-window", ".png");
+    session.want_window_picture(free_export_path(session, stem + "-window", ".png"));
+}
+
+void write_window(Session& session, RgbPicture picture) {
+    const fs::path path = session.wanted_window_picture();
+    session.want_window_picture({});
+    session.start_export("PNG of the window", path, [picture = std::move(picture), path](ExportProgress& /*progress*/) {
+        return write_png(picture, path);
+    });
 }
 
 }  // namespace pol

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "maps/colorize.h"
 #include "viewer/session/export_queue.h"
 #include "viewer/session/session.h"
 
@@ -33,7 +34,10 @@ void export_map(Session& session);
 /// Nothing open: does nothing.
 void export_pixels(Session& session);
 
-/// Asks for the whole window as it will look in the next frame, menus closed (WindowState::picture_of_window).
+/// Asks for the whole window as it will look in the next frame, menus closed (Session::wanted_window_picture).
 void export_window(Session& session);
+
+/// Writes the window that was asked for, rows from the top, as PNG. Requires: it was.
+void write_window(Session& session, RgbPicture picture);
 
 }  // namespace pol

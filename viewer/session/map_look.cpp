@@ -7,7 +7,7 @@
 namespace pol {
 
 MapOptions map_options(const Session& session) {
-    const ViewSettings& view = session.view;
+    const ViewSettings& view = session.view();
     const bool is_difference = session.comparison().has_value();
     MapOptions options;
     options.style = view.style;
@@ -22,8 +22,8 @@ MapOptions map_options(const Session& session) {
 }
 
 MapScale map_look(const Session& session) {
-    const MapSummary& found = session.shown_map.summary();
-    return map_scale(session.view.quantity, session.comparison().has_value(), map_options(session), found.low,
+    const MapSummary& found = session.shown_map().summary();
+    return map_scale(session.view().quantity, session.comparison().has_value(), map_options(session), found.low,
                      found.high);
 }
 
@@ -36,7 +36,7 @@ bool is_photograph(const Session& session) {
 }
 
 std::optional<MapRange>& own_range(Session& session) {
-    ViewSettings& view = session.view;
+    ViewSettings& view = session.change_view();
     return (session.comparison() ? view.difference_range : view.range)[static_cast<std::size_t>(view.quantity)];
 }
 
@@ -45,7 +45,7 @@ std::optional<MapRange>& own_range(Session& session) {
 MapRange bar_range(const Session& session) {
     MapRange range = map_look(session).range;
     if (is_photograph(session)) {
-        const double shift = -session.view.offset * (range.high - range.low);
+        const double shift = -session.view().offset * (range.high - range.low);
         range.low += shift;
         range.high += shift;
     }
@@ -55,7 +55,7 @@ MapRange bar_range(const Session& session) {
 void set_bar_range(Session& session, const MapRange& range) {
     const double span = range.high - range.low;
     if (!(span > 0.0) || !std::isfinite(span)) return;
-    ViewSettings& view = session.view;
+    ViewSettings& view = session.change_view();
     if (is_photograph(session)) {
         own_range(session).reset();
         view.exposure = -std::log2(span);
@@ -67,7 +67,10 @@ void set_bar_range(Session& session, const MapRange& range) {
 
 void reset_bar_range(Session& session) {
     own_range(session).reset();
-    if (is_photograph(session)) session.view.exposure = session.view.offset = 0.0;
+    if (is_photograph(session)) {
+        ViewSettings& view = session.change_view();
+        view.exposure = view.offset = 0.0;
+    }
 }
 
 bool can_move_range(const Session& session) {
@@ -77,7 +80,7 @@ bool can_move_range(const Session& session) {
 void fit_bar_range(Session& session) {
     if (!can_move_range(session)) return;
     const ScaleKind kind = map_look(session).kind;
-    const MapSummary& found = session.shown_map.summary();
+    const MapSummary& found = session.shown_map().summary();
     MapRange range{found.low, found.high};
     if (kind == ScaleKind::diverging || session.comparison()) {
         range.high = std::max(std::abs(found.low), std::abs(found.high));

@@ -28,7 +28,7 @@ std::string text_in(RayFormat format, const Plan& plan, const Explanation& expla
 
 /// "cube-256,200.csv" where all exports go.
 std::filesystem::path path_for_pixel(const Session& session, const std::string& ending) {
-    const PixelAddress pixel = session.selection.pinned().value_or(PixelAddress{});
+    const PixelAddress pixel = session.selection().pinned().value_or(PixelAddress{});
     const std::string scene = std::filesystem::path(session.current()->name()).stem().string();
     return free_export_path(session, scene + "-" + std::to_string(pixel.x) + "," + std::to_string(pixel.y), ending);
 }
@@ -36,15 +36,19 @@ std::filesystem::path path_for_pixel(const Session& session, const std::string& 
 }  // namespace
 
 void export_rays(Session& session, RayFormat format) {
+    const auto explanation = session.explanation();
+    if (explanation == nullptr) return;
     constexpr const char* endings[] = {".csv", ".json", ".obj"};
     const auto path = path_for_pixel(session, endings[static_cast<std::size_t>(format)]);
-    session.exports.start("ray states", path,
-                          [plan = session.current()->plan(), explanation = session.explanation(), format,
-                           path](ExportProgress&) { return write_file(path, text_in(format, *plan, *explanation)); });
+    session.start_export("ray states", path,
+                         [plan = session.current()->plan(), explanation, format, path](ExportProgress&) {
+                             return write_file(path, text_in(format, *plan, *explanation));
+                         });
 }
 
 void save_pixel_case(Session& session) {
     const auto explanation = session.explanation();
+    if (explanation == nullptr) return;
     const Document& document = *session.current();
     PixelCase pixel_case;
     pixel_case.x = explanation->x;
@@ -55,13 +59,13 @@ void save_pixel_case(Session& session) {
     pixel_case.scene = document.scene();
     const CoherenceMatrix<double>& j = pixel_case.expected;
     if (!std::isfinite(j.xx + j.yy + j.xy.re + j.xy.im)) {
-        session.log.add(Severity::error, "this pixel is not a number: nothing that a test could expect");
+        session.say(Severity::error, "this pixel is not a number: nothing that a test could expect");
         return;
     }
     const auto path = path_for_pixel(session, ".case.yaml");
     std::error_code unknown_folder;
     const auto folder = std::filesystem::absolute(path, unknown_folder).parent_path();
-    session.exports.start("pixel case", path, [pixel_case = std::move(pixel_case), path, folder](ExportProgress&) {
+    session.start_export("pixel case", path, [pixel_case = std::move(pixel_case), path, folder](ExportProgress&) {
         return write_file(path, save_pixel_case(pixel_case, folder));
     });
 }

@@ -95,17 +95,18 @@ Result<Done> write_preferences(const Preferences& preferences, const fs::path& p
 }
 
 Preferences preferences_of(const Session& session) {
-    return {session.window.theme,  session.window.ui_scale, session.window.layout,
-            session.view.quantity, session.view.style,      session.recent_files};
+    return {session.window().theme,  session.window().ui_scale, session.window().layout,
+            session.view().quantity, session.view().style,      session.recent_files()};
 }
 
 void apply(const Preferences& preferences, Session& session) {
-    session.window.theme = preferences.theme;
-    session.window.ui_scale = preferences.ui_scale;
-    session.window.layout = preferences.layout;
-    session.view.quantity = preferences.quantity;
-    session.view.style = preferences.style;
-    session.recent_files = preferences.recent_files;
+    WindowState& window = session.change_window();
+    window.theme = preferences.theme;
+    window.ui_scale = preferences.ui_scale;
+    window.layout = preferences.layout;
+    session.show(preferences.quantity);
+    session.change_view().style = preferences.style;
+    session.set_recent_files(preferences.recent_files);
 }
 
 }  // namespace pol

@@ -24,9 +24,9 @@ bool Session::open(const std::filesystem::path& path) {
     if (!adopt(Document::open(path, wake_))) return false;
     constexpr std::size_t remembered = 12;
     const std::filesystem::path opened = current()->path();
-    std::erase(recent_files, opened);
-    recent_files.insert(recent_files.begin(), opened);
-    if (recent_files.size() > remembered) recent_files.resize(remembered);
+    std::erase(recent_files_, opened);
+    recent_files_.insert(recent_files_.begin(), opened);
+    if (recent_files_.size() > remembered) recent_files_.resize(remembered);
     return true;
 }
 
@@ -38,8 +38,7 @@ bool Session::show_again(const std::function<bool(const Document&)>& wanted) {
     const auto found = std::find_if(documents_.begin(), documents_.end(),
                                     [&](const auto& document) { return !document->dirty() && wanted(*document); });
     if (found == documents_.end()) return false;
-    current_ = static_cast<int>(found - documents_.begin());
-    fit_wavelength();
+    make_current(static_cast<int>(found - documents_.begin()));
     return true;
 }
 
@@ -49,7 +48,7 @@ bool Session::open_fact(const verify::Fact& fact, std::size_t view_index) {
     };
     if (!show_again(is_this) && !adopt(Document::of_fact(fact, view_index, wake_))) return false;
     pin_fact();
-    window.fact_to_front = true;
+    ++facts_opened_;
     return true;
 }
 
@@ -58,7 +57,7 @@ bool Session::open_isotropic_twin() {
     if (document == nullptr || !document->has_scene()) return false;
     auto twin = isotropic_twin(document->scene());
     if (!twin) {
-        log.add(Severity::error, to_string(twin.error()));
+        log_.add(Severity::error, to_string(twin.error()));
         return false;
     }
     return open_twin(std::move(twin).value(), "isotropic",
@@ -82,16 +81,16 @@ bool Session::open_twin(Scene scene, const std::string& kind, const std::string&
     };
     if (!show_again(is_this) && !open_scene(std::move(scene), name)) return false;
     reference_ = original;
-    if (!view.difference || view.quantity == Quantity::color) toggle_difference();
-    log.add(Severity::note, name + ": " + what_it_is + ". Shown minus " + original->name() +
-                                "; X shows the twin itself, Up and Down switch between the two");
+    if (!view_.difference || view_.quantity == Quantity::color) toggle_difference();
+    log_.add(Severity::note, name + ": " + what_it_is + ". Shown minus " + original->name() +
+                                 "; X shows the twin itself, Up and Down switch between the two");
     return true;
 }
 
 void Session::set_reference() {
     if (current() == nullptr) return;
     reference_ = current();
-    log.add(Severity::note, reference_->name() + " is the reference; X shows how far other pictures are from it");
+    log_.add(Severity::note, reference_->name() + " is the reference; X shows how far other pictures are from it");
 }
 
 Result<Comparison> Session::compare() const {
@@ -114,7 +113,7 @@ Result<Comparison> Session::compare() const {
         return refusal(fmt::format("{} begins at pixel {},{} of its picture, the reference {} at {},{}",
                                    document->name(), a.left, a.top, reference_->name(), b.left, b.top),
                        "compare the same part of both pictures");
-    const double nm = a.wavelengths_nm[std::min(view.wavelength, a.wavelengths_nm.size() - 1)];
+    const double nm = a.wavelengths_nm[std::min(view_.wavelength, a.wavelengths_nm.size() - 1)];
     // Files keep wavelengths as decimal texts.
     constexpr double same_nm = 1e-6;
     for (std::size_t w = 0; w < b.wavelengths_nm.size(); ++w)
@@ -124,7 +123,7 @@ Result<Comparison> Session::compare() const {
 }
 
 std::optional<Comparison> Session::comparison() const {
-    if (!view.difference || view.quantity == Quantity::color) return std::nullopt;
+    if (!view_.difference || view_.quantity == Quantity::color) return std::nullopt;
     const auto found = compare();
     return found ? std::optional(found.value()) : std::nullopt;
 }
@@ -132,53 +131,93 @@ std::optional<Comparison> Session::comparison() const {
 ShownQuantity Session::shown_quantity() const {
     std::optional<ReferencePicture> reference;
     if (const auto compared = comparison()) reference = compared->picture();
-    return {current()->picture(), view, polarimeter, reference};
+    return {current()->picture(), view_, polarimeter_, reference};
 }
 
 void Session::toggle_difference() {
     if (comparison()) {
-        view.difference = false;
+        view_.difference = false;
     } else if (const auto possible = compare(); !possible) {
-        log.add(Severity::warning, to_string(possible.error()));
+        log_.add(Severity::warning, to_string(possible.error()));
     } else {
-        view.difference = true;
-        if (view.quantity == Quantity::color) show(Quantity::intensity);
+        view_.difference = true;
+        if (view_.quantity == Quantity::color) show(Quantity::intensity);
     }
 }
 
 bool Session::adopt(Result<std::unique_ptr<Document>> document) {
     if (!document) {
-        log.add(Severity::error, to_string(document.error()));
+        log_.add(Severity::error, to_string(document.error()));
         return false;
     }
     documents_.push_back(std::move(document).value());
-    current_ = static_cast<int>(documents_.size()) - 1;
-    fit_wavelength();
+    make_current(static_cast<int>(documents_.size()) - 1);
+    look_for_shipped_files();
     return true;
+}
+
+void Session::make_current(int index) {
+    current_ = index;
+    // Both are about the document that was on screen.
+    if (window_.question == Question::unsaved_at_close || window_.question == Question::rewrite)
+        window_.question = Question::none;
+    fit_wavelength();
 }
 
 void Session::close_document() {
     if (current_ < 0) return;
     if (current() == reference_) reference_ = nullptr;
     documents_.erase(documents_.begin() + current_);
-    current_ = documents_.empty() ? -1 : std::max(0, current_ - 1);
-    fit_wavelength();
+    make_current(documents_.empty() ? -1 : std::max(0, current_ - 1));
 }
 
-Document* Session::current() const {
+std::vector<const Document*> Session::documents() const {
+    std::vector<const Document*> all;
+    for (const auto& document : documents_) all.push_back(document.get());
+    return all;
+}
+
+const Document* Session::current() const {
+    return current_ < 0 ? nullptr : documents_[static_cast<std::size_t>(current_)].get();
+}
+
+Document* Session::current() {
     return current_ < 0 ? nullptr : documents_[static_cast<std::size_t>(current_)].get();
 }
 
 void Session::step_document(int by) {
     if (documents_.empty()) return;
     const int count = static_cast<int>(documents_.size());
-    current_ = ((current_ + by) % count + count) % count;
-    fit_wavelength();
+    make_current(((current_ + by) % count + count) % count);
 }
 
 bool Session::logged(const Result<Done>& result) {
-    if (!result) log.add(Severity::error, to_string(result.error()));
+    if (!result) log_.add(Severity::error, to_string(result.error()));
     return static_cast<bool>(result);
+}
+
+bool Session::edit(const Document* of, Scene scene, const std::string& label) {
+    return of != nullptr && of == current() && of->has_scene() &&
+           static_cast<bool>(current()->edit(std::move(scene), label));
+}
+
+void Session::end_edit(const Document* of) {
+    if (of != nullptr && of == current()) current()->end_edit();
+}
+
+void Session::refuse_edit(const Document* of, const std::string& label, const Error& error) {
+    if (of != nullptr && of == current()) current()->refuse(label, error);
+}
+
+bool Session::move_camera(const Document* of, const Camera& camera, const std::string& label) {
+    if (of == nullptr || of != current() || !of->has_scene()) return false;
+    Scene scene = of->scene();
+    scene.camera = camera;
+    return logged(current()->edit(std::move(scene), label));
+}
+
+void Session::set_stop_rules(const Document* of, const StopRules& rules) {
+    if (of != nullptr && of == current()) current()->set_stop_rules(rules);
 }
 
 bool Session::undo() {
@@ -197,29 +236,46 @@ bool Session::save(const std::filesystem::path& path, Document::Rewrite rewrite)
     if (current() == nullptr || !current()->has_scene()) return false;
     const auto saved = current()->save(path, rewrite);
     if (!saved) {
-        log.add(Severity::error, to_string(saved.error()));
+        log_.add(Severity::error, to_string(saved.error()));
         return false;
     }
-    window.rewrite_asked = saved.value() == Document::Saved::asks;
-    if (window.rewrite_asked) return false;
-    log.add(Severity::note, "scene written: " + path.string());
+    if (saved.value() == Document::Saved::asks) {
+        window_.question = Question::rewrite;
+        return false;
+    }
+    if (window_.question == Question::rewrite) window_.question = Question::none;
+    log_.add(Severity::note, "scene written: " + path.string());
     if (saved.value() == Document::Saved::without_comments)
-        log.add(Severity::warning, "the comments of the file that the scene was read from are not in " + path.string());
+        log_.add(Severity::warning,
+                 "the comments of the file that the scene was read from are not in " + path.string());
     return true;
-}
-
-bool Session::move_camera(const Camera& camera, const std::string& label) {
-    Scene scene = current()->scene();
-    scene.camera = camera;
-    return logged(current()->edit(std::move(scene), label));
 }
 
 bool Session::has_unsaved_edits() const {
     return std::any_of(documents_.begin(), documents_.end(), [](const auto& d) { return d->dirty(); });
 }
 
+void Session::look_for_shipped_files() {
+    shipped_files_ = find_shipped_files();
+    looked_for_shipped_files_ = true;
+}
+
+void Session::choose_wavelength(std::size_t index) {
+    if (current() != nullptr) view_.wavelength = std::min(index, current()->picture().wavelengths_nm.size() - 1);
+}
+
+void Session::finish_shown_map() {
+    if (current() != nullptr) shown_map_.finish(*current(), view_, polarimeter_, comparison());
+}
+
+void Session::start_export(std::string what, std::filesystem::path path,
+                           std::function<Result<Done>(ExportProgress&)> work) {
+    exports_.start(std::move(what), std::move(path), std::move(work));
+}
+
 void Session::update() {
-    exports.report(log);
+    if (!looked_for_shipped_files_) look_for_shipped_files();
+    exports_.report(log_);
     follow_files();
     const auto compared = comparison();
     const auto is_seen = [&](const Document* document) {
@@ -238,13 +294,13 @@ void Session::update() {
     fit_selection();
     ask_for_explanation();
     if (document == nullptr) {
-        shown_map.clear();
+        shown_map_.clear();
         return;
     }
     const bool grows = tracing || behind;
-    shown_map.update(*document, view, polarimeter, tracing ? tracing_s : finished_s, grows, compared);
+    shown_map_.update(*document, view_, polarimeter_, tracing ? tracing_s : finished_s, grows, compared);
     // What is left to do when the workers call no more.
-    if (!tracing && (behind || !shown_map.complete()) && wake_) wake_();
+    if (!tracing && (behind || !shown_map_.complete()) && wake_) wake_();
 }
 
 void Session::catch_up() {
@@ -256,20 +312,20 @@ void Session::catch_up() {
 void Session::ask_for_explanation() {
     const auto& asked = explanation_.request();
     const auto wanted = wanted_explanation();
-    if (!asked || !wanted || !same_branches(*asked, *wanted)) selection.node.reset();
+    if (!asked || !wanted || !same_branches(*asked, *wanted)) selection_.node.reset();
     explanation_.ask(wanted);
 }
 
 std::optional<ExplanationRequest> Session::wanted_explanation() const {
     const Document* document = current();
-    const auto pinned = selection.pinned();
+    const auto pinned = selection_.pinned();
     if (document == nullptr || !document->has_scene() || !pinned) return std::nullopt;
     const RenderSettings& settings = document->plan()->settings;
     if (pinned->x >= settings.width || pinned->y >= settings.height) return std::nullopt;
     const auto last_sample = static_cast<std::uint32_t>(settings.last_sample());
     const std::size_t last_wavelength = document->plan()->wavelengths_nm.size() - 1;
-    return ExplanationRequest{document->plan(), *pinned, std::min(selection.sample, last_sample),
-                              static_cast<int>(std::min(view.wavelength, last_wavelength))};
+    return ExplanationRequest{document->plan(), *pinned, std::min(selection_.sample, last_sample),
+                              static_cast<int>(std::min(view_.wavelength, last_wavelength))};
 }
 
 std::shared_ptr<const Explanation> Session::explanation() const {
@@ -281,7 +337,7 @@ void Session::follow_files() {
     const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     for (const auto& document : documents_) {
         if (!document->file_changed(now_s)) continue;
-        if (logged(document->reload())) log.add(Severity::note, document->name() + " was saved: read again");
+        if (logged(document->reload())) log_.add(Severity::note, document->name() + " was saved: read again");
     }
 }
 
@@ -292,67 +348,10 @@ void Session::fit_wavelength() {
     const std::vector<double>& known = current()->picture().wavelengths_nm;
     if (known == wavelengths_nm_) return;
     const bool was_chosen =
-        !wavelengths_nm_.empty() && view.wavelength != nearest_wavelength(wavelengths_nm_, wanted_nm_);
-    if (was_chosen) wanted_nm_ = wavelengths_nm_[std::min(view.wavelength, wavelengths_nm_.size() - 1)];
+        !wavelengths_nm_.empty() && view_.wavelength != nearest_wavelength(wavelengths_nm_, wanted_nm_);
+    if (was_chosen) wanted_nm_ = wavelengths_nm_[std::min(view_.wavelength, wavelengths_nm_.size() - 1)];
     wavelengths_nm_ = known;
-    view.wavelength = nearest_wavelength(known, wanted_nm_);
-}
-
-/// The picture on screen may be another one, of another size, than that which the user pointed at.
-void Session::fit_selection() {
-    const Document* document = current();
-    if (document == nullptr) {
-        selection = {};
-        return;
-    }
-    const StokesImage& picture = document->picture();
-    fit_wavelength();
-    const auto outside = [&](PixelAddress pixel) { return pixel.x >= picture.width || pixel.y >= picture.height; };
-    if (selection.hovered && outside(*selection.hovered)) selection.hovered.reset();
-    if (selection.marked.size() != picture.pixel_count()) selection.marked.clear();
-    const auto& region = selection.region;
-    if (region && (region->x1 > picture.width || region->y1 > picture.height)) selection.region.reset();
-    const auto pinned = selection.pinned();
-    if (std::erase_if(selection.pins, outside) == 0) return;
-    const auto found = pinned ? std::find(selection.pins.begin(), selection.pins.end(), *pinned) : selection.pins.end();
-    // Without it, the pin before it.
-    const auto index = static_cast<int>(found - selection.pins.begin());
-    selection.current = found == selection.pins.end() ? index - 1 : index;
-    selection.node.reset();
-}
-
-void Session::pin(PixelAddress pixel) {
-    const Document* document = current();
-    if (document == nullptr) return;
-    const StokesImage& picture = document->picture();
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture.width || pixel.y >= picture.height) return;
-    const auto found = std::find(selection.pins.begin(), selection.pins.end(), pixel);
-    selection.current = static_cast<int>(found - selection.pins.begin());
-    if (found == selection.pins.end()) selection.pins.push_back(pixel);
-    selection.node.reset();
-}
-
-void Session::pin_fact() {
-    const ShownFact shown = *current()->fact();
-    const verify::FactView& fact_view = shown.fact->views[shown.view];
-    pin({fact_view.x, fact_view.y});
-    selection.sample = 0;
-}
-
-void Session::nudge(int dx, int dy) {
-    const auto pinned = selection.pinned();
-    if (!pinned) return;
-    const StokesImage& picture = current()->picture();
-    selection.pins[static_cast<std::size_t>(selection.current)] = {std::clamp(pinned->x + dx, 0, picture.width - 1),
-                                                                   std::clamp(pinned->y + dy, 0, picture.height - 1)};
-    selection.node.reset();
-}
-
-void Session::unpin() {
-    if (!selection.pinned()) return;
-    selection.pins.erase(selection.pins.begin() + selection.current);
-    selection.current = static_cast<int>(selection.pins.size()) - 1;
-    selection.node.reset();
+    view_.wavelength = nearest_wavelength(known, wanted_nm_);
 }
 
 }  // namespace pol

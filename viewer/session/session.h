@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of the window without the window: what is open, how it is shown, what is selected. Panels read it and call
-// it; nothing here knows ImGui or GL.
+// The state of the window without the window: what is open, how it is shown, what is selected. Panels read it and wish
+// (wishes.h); nothing here knows ImGui or GL.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "spectrum/wavelength_grid.h"
@@ -13,6 +16,7 @@
 #include "viewer/session/explanation.h"
 #include "viewer/session/export_queue.h"
 #include "viewer/session/log.h"
+#include "viewer/session/shipped_files.h"
 #include "viewer/session/window_state.h"
 #include "viewer/shown/page_settings.h"
 #include "viewer/shown/polarimeter.h"
@@ -27,7 +31,7 @@ namespace pol {
 class Session {
 public:
     /// `wake` is called from worker threads whenever there is something new to draw.
-    explicit Session(std::function<void()> wake = {}) : exports(wake), wake_(std::move(wake)), explanation_(wake_) {}
+    explicit Session(std::function<void()> wake = {}) : wake_(std::move(wake)), exports_(wake_), explanation_(wake_) {}
 
     /// Opens a file and makes it the current document; on error the log says why and nothing changes.
     bool open(const std::filesystem::path& path);
@@ -40,9 +44,10 @@ public:
     /// Closes the current document, saved or not; the one before it is shown.
     void close_document();
 
-    [[nodiscard]] const std::vector<std::unique_ptr<Document>>& documents() const { return documents_; }
+    [[nodiscard]] std::vector<const Document*> documents() const;
     /// The document on screen, or null.
-    [[nodiscard]] Document* current() const;
+    [[nodiscard]] const Document* current() const;
+    [[nodiscard]] Document* current();
     /// Shows the next (+1) or previous (-1) document.
     void step_document(int by);
 
@@ -51,7 +56,7 @@ public:
     bool open_isotropic_twin();
     bool open_unpolarized_twin();
 
-    // Comparing pictures ---------------------------------------------------------------------------------------------
+    // Comparing pictures
 
     /// Makes the current document the one that others are compared with.
     void set_reference();
@@ -62,24 +67,29 @@ public:
     /// The comparison on screen; none if no difference is shown: not asked for, not possible, or of color.
     [[nodiscard]] std::optional<Comparison> comparison() const;
     /// The picture on screen, behind the polarimeter and in the shown convention. Requires: a document is shown.
-    [[nodiscard]] ShownPicture shown_picture() const { return {current()->picture(), polarimeter, view.convention}; }
+    [[nodiscard]] ShownPicture shown_picture() const { return {current()->picture(), polarimeter_, view_.convention}; }
     /// The quantity on screen, or its difference. Requires: a document is shown, the quantity is not `color`.
     [[nodiscard]] ShownQuantity shown_quantity() const;
     /// Shows the difference from the reference, or the map itself again. Of color there is none: it shows the
     /// intensity's. If it is not possible the log says why.
     void toggle_difference();
-    /// Brings shown_map up to date. Requires: a document is shown.
-    void finish_shown_map() { shown_map.finish(*current(), view, polarimeter, comparison()); }
 
-    /// Acts on the current document and puts an error into the log. True if it was done.
+    // The current document's scene and file
+
+    /// As in Document; they do nothing unless `of` is the document on screen.
+    bool edit(const Document* of, Scene scene, const std::string& label);
+    void end_edit(const Document* of);
+    void refuse_edit(const Document* of, const std::string& label, const Error& error);
+    /// An edit whose error goes into the log.
+    bool move_camera(const Document* of, const Camera& camera, const std::string& label);
+    void set_stop_rules(const Document* of, const StopRules& rules);
+    /// True if it was done; an error goes into the log.
     bool undo();
     bool redo();
     bool reload();
-    /// If the document's own file cannot take the edit, asks instead (WindowState::rewrite_asked), unless `rewrite` is
-    /// the answer.
+    /// If the document's own file cannot take the edit, asks instead (Question::rewrite), unless `rewrite` is the
+    /// answer.
     bool save(const std::filesystem::path& path, Document::Rewrite rewrite = Document::Rewrite::ask);
-    /// An edit named `label` (Document::edit); one step of undo until Document::end_edit(). Requires: a scene is shown.
-    bool move_camera(const Camera& camera, const std::string& label);
     /// Edits of scenes that no file has.
     [[nodiscard]] bool has_unsaved_edits() const;
 
@@ -88,17 +98,53 @@ public:
     /// Takes over all that workers have finished of what is on screen: before it leaves the window.
     void catch_up();
 
-    /// Shows another map.
-    void show(Quantity quantity) { view.quantity = quantity; }
+    // What is on screen
 
+    [[nodiscard]] const ViewSettings& view() const { return view_; }
+    ViewSettings& change_view() { return view_; }
+    /// Index into the picture's wavelengths; one that it does not have: its last one. Nothing open: does nothing.
+    void choose_wavelength(std::size_t index);
+    /// Shows another map.
+    void show(Quantity quantity) { view_.quantity = quantity; }
+    [[nodiscard]] const ViewTransform& transform() const { return transform_; }
+    ViewTransform& change_transform() { return transform_; }
+    /// Of the picture's viewport, logical points.
+    [[nodiscard]] const DVec2& view_size() const { return view_size_; }
+    void set_view_size(const DVec2& size) { view_size_ = size; }
+    /// How the inspector writes a pixel.
+    [[nodiscard]] const PageSettings& page() const { return page_; }
+    void set_page(const PageSettings& page) { page_ = page; }
+    [[nodiscard]] const Polarimeter& polarimeter() const { return polarimeter_; }
+    void set_polarimeter(Polarimeter polarimeter) { polarimeter_ = std::move(polarimeter); }
+    /// Values behind the picture; update() keeps it.
+    [[nodiscard]] const ShownMap& shown_map() const { return shown_map_; }
+    /// Brings it up to date. Nothing open: does nothing.
+    void finish_shown_map();
+    [[nodiscard]] const WindowState& window() const { return window_; }
+    WindowState& change_window() { return window_; }
+
+    // What the user points at (session_selection.cpp)
+
+    [[nodiscard]] const Selection& selection() const { return selection_; }
+    void hover(std::optional<PixelAddress> pixel) { selection_.hovered = pixel; }
     /// Pins a pixel of the current picture and makes it the current pin. Outside the picture: does nothing.
     void pin(PixelAddress pixel);
-    /// Pins the pixel that the current document's fact is about, and the sample in its middle. Requires: there is one.
+    /// Pins the pixel that the current document's fact is about, and the sample in its middle. Without one: does
+    /// nothing.
     void pin_fact();
     /// Moves the current pin; stays inside the picture.
     void nudge(int dx, int dy);
     /// Releases the current pin; the one pinned before it becomes current.
     void unpin();
+    /// A branch of the current pin's tree: index into RayTree::nodes.
+    void select_branch(std::optional<int> node) { selection_.node = node; }
+    void select_sample(std::uint32_t sample) { selection_.sample = sample; }
+    void select_region(const std::optional<TileRect>& region) { selection_.region = region; }
+    /// Marks pixels of the current picture; empty: none.
+    void mark(std::vector<bool> pixels);
+    /// Marks the pixels whose shown quantity is in the range, or without a value for this reason.
+    void mark_values(const MapRange& range);
+    void mark_state(PixelState state);
 
     /// The backward tree of the pinned pixel, of Selection::sample, at the shown wavelength; it belongs to the current
     /// document's plan(). Null while it is being found (update() starts that), or if there is none.
@@ -108,17 +154,24 @@ public:
     void cancel_explanation() { explanation_.cancel(); }
     void restart_explanation() { explanation_.restart(); }
 
-    ViewSettings view;
-    ViewTransform transform;
-    Selection selection;
-    PageSettings page;  ///< how the inspector writes a pixel
-    Polarimeter polarimeter;
-    ShownMap shown_map;  ///< values behind the picture; update() keeps it
-    Log log;
-    ExportQueue exports;
-    WindowState window;
-    std::vector<std::filesystem::path> recent_files;  ///< newest first
-    DVec2 view_size{1.0, 1.0};  ///< of the picture's viewport, logical points; set by the interface
+    /// Grows with every open_fact(): the fact's page is what the user wants to see.
+    [[nodiscard]] std::uint64_t facts_opened() const { return facts_opened_; }
+
+    // What is told and written
+
+    [[nodiscard]] const Log& log() const { return log_; }
+    void say(Severity severity, std::string text) { log_.add(severity, std::move(text)); }
+    [[nodiscard]] const ExportQueue& exports() const { return exports_; }
+    /// As ExportQueue::start.
+    void start_export(std::string what, std::filesystem::path path, std::function<Result<Done>(ExportProgress&)> work);
+    /// PNG file that the whole window is wanted as, once whoever shows the window can give it (exports.h); else empty.
+    [[nodiscard]] const std::filesystem::path& wanted_window_picture() const { return wanted_window_picture_; }
+    void want_window_picture(std::filesystem::path path) { wanted_window_picture_ = std::move(path); }
+    /// Newest first.
+    [[nodiscard]] const std::vector<std::filesystem::path>& recent_files() const { return recent_files_; }
+    void set_recent_files(std::vector<std::filesystem::path> files) { recent_files_ = std::move(files); }
+    /// As they were when the first frame was due, or a document was opened last.
+    [[nodiscard]] const ShippedFiles& shipped_files() const { return shipped_files_; }
 
 private:
     void ask_for_explanation();
@@ -129,6 +182,9 @@ private:
     void follow_files();
     void fit_wavelength();
     void fit_selection();
+    void look_for_shipped_files();
+    /// Index into documents_; -1: none.
+    void make_current(int index);
     /// Makes a document that has no edits and that `wanted` chooses the current one; false if there is none.
     bool show_again(const std::function<bool(const Document&)>& wanted);
 
@@ -138,6 +194,21 @@ private:
     Document* reference_ = nullptr;
     std::vector<double> wavelengths_nm_;  ///< that ViewSettings::wavelength counts
     double wanted_nm_ = default_wavelength_nm;
+    ViewSettings view_;
+    ViewTransform transform_;
+    DVec2 view_size_{1.0, 1.0};
+    Selection selection_;
+    PageSettings page_;
+    Polarimeter polarimeter_;
+    ShownMap shown_map_;
+    WindowState window_;
+    std::uint64_t facts_opened_ = 0;
+    Log log_;
+    ExportQueue exports_;
+    std::filesystem::path wanted_window_picture_;
+    std::vector<std::filesystem::path> recent_files_;
+    bool looked_for_shipped_files_ = false;
+    ShippedFiles shipped_files_;
     ExplanationJob explanation_;
 };
 

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "film/film.h"
+#include "maps/colorize.h"
 
 namespace pol {
 
@@ -25,14 +25,9 @@ struct Selection {
     std::uint32_t sample = 0;             ///< of the pinned pixel that is explained; 0 is its centre
     std::optional<int> node;              ///< branch of the current pin's tree: index into RayTree::nodes
     std::vector<bool> marked;             ///< by pixel, brushed in a histogram or on the sphere; empty: none
-    std::uint64_t marked_version = 0;     ///< grows with every mark()
+    std::uint64_t marked_version = 0;     ///< grows whenever pixels are marked
+    std::optional<MapRange> brushed;      ///< values whose pixels are marked; none: they were chosen otherwise
     std::optional<TileRect> region;       ///< rectangle drawn in the picture, inside it
-
-    /// Marks pixels of the current picture; empty: none.
-    void mark(std::vector<bool> pixels) {
-        marked = std::move(pixels);
-        ++marked_version;
-    }
 
     [[nodiscard]] std::optional<PixelAddress> pinned() const {
         if (current < 0 || current >= static_cast<int>(pins.size())) return std::nullopt;

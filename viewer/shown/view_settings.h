@@ -21,6 +21,7 @@ struct GlyphSettings {
     GlyphKind kind = GlyphKind::none;
     GlyphLength length = GlyphLength::by_dop;
     double spacing = 28.0;  ///< points between glyphs on screen, whatever the zoom
+    friend bool operator==(const GlyphSettings&, const GlyphSettings&) = default;
 };
 
 struct ViewSettings {

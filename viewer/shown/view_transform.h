@@ -22,6 +22,8 @@ struct ViewTransform {
     static constexpr double min_scale = 1.0 / 64.0;
     static constexpr double max_scale = 256.0;
 
+    friend bool operator==(const ViewTransform&, const ViewTransform&) = default;
+
     [[nodiscard]] DVec2 view_from_picture(const DVec2& p) const { return offset + scale * p; }
     [[nodiscard]] DVec2 picture_from_view(const DVec2& v) const { return (v - offset) / scale; }
 
