@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks the house rules that no compiler sees: who may include whom and which room may use which library (rooms.txt),
-licence lines, file lengths, what is visited in full. Prints one `file:line: rule` per violation; exits 1 if there is any.
+licence lines, file lengths, what is visited in full, that panels only read. Prints one `file:line: rule` per violation;
+exits 1 if there is any.
 
 Usage: include_rules.py ROOT        (the top of a working tree)
 
@@ -140,6 +141,20 @@ VISITED = ("IsotropicMedium", "UniaxialMedium", "ConductorMedium", "LinearPolari
            "ConstantSpectrum", "D65Spectrum", "TabulatedSpectrum")
 PICKED = re.compile(r"\b(?:get_if|holds_alternative)\s*<\s*(?:const\s+)?(?:pol::)?(" + "|".join(VISITED) + r")\b")
 
+# Panels read (viewer/panels/README.md). Only what is done later, a lambda that is wished, may take these to change them.
+CHANGED_BY_PANEL = re.compile(r"(?<!const )(?<!\]\()\b(Session|Document)\s*[&*]|\bconst_cast\b")
+# The folder that the user types is looked into while he does.
+LOOKS_INTO_FOLDERS = "viewer/panels/open_dialog.cpp"
+
+
+def panel_rule(path, code):
+    """Why a panel may not have this line of code, or None."""
+    if match := CHANGED_BY_PANEL.search(code):
+        return f"{match.group()}: a panel reads, and wishes for what is to change (viewer/session/wishes.h)"
+    if "directory_iterator" in code and path != LOOKS_INTO_FOLDERS:
+        return "a panel reads no folder while it draws"
+    return None
+
 
 def check_includes(rooms, path, lines):
     if str(Path(path).parent) not in rooms:
@@ -170,15 +185,16 @@ def check_file(root, rooms, file):
         yield 1, "a header needs #pragma once"
     if top in ("engine", "viewer"):
         yield from check_includes(rooms, path, lines)
+    code = without_comments("\n".join(lines))
     if top in ("engine", "viewer"):
-        code = without_comments("\n".join(lines))
         for match in PICKED.finditer(code):
             number = code.count("\n", 0, match.start()) + 1
             yield number, f"{match.group(1)} is picked out: std::visit all kinds, which a new one then cannot miss"
-    if top == "engine" and not is_installed(path):
-        for number, line in enumerate(code.split("\n"), 1):
-            if re.search(r"\bstd::complex\b", line):
-                yield number, "std::complex: the engine has its own, core/complex.h"
+    for number, line in enumerate(code.split("\n"), 1):
+        if top == "engine" and not is_installed(path) and re.search(r"\bstd::complex\b", line):
+            yield number, "std::complex: the engine has its own, core/complex.h"
+        if path.startswith("viewer/panels/") and (why := panel_rule(path, line)):
+            yield number, why
 
 
 def violations(root):

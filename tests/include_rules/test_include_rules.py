@@ -136,6 +136,15 @@ class IncludeRules(unittest.TestCase):
         self.expect_violation("viewer/panels/a.cpp", "#include <GL/glcorearb.h>\n", 2, "GL/")
         self.expect_clean("viewer/panels/a.cpp", "#include <imgui.h>\n")
 
+    def test_a_panel_takes_nothing_that_it_could_change(self):
+        for code in ("void draw(Session& session);", "void draw(const Plan& plan, Document &document);", "Session* session_;",
+                     "auto& writable = const_cast<ViewSettings&>(view);", "fs::directory_iterator(folder);"):
+            self.expect_violation("viewer/panels/a.h", f"#pragma once\n{code}\n", 3, "a panel reads")
+            self.expect_violation("viewer/panels/a.cpp", code + "\n", 2, "a panel reads")
+            self.expect_clean("viewer/commands/a.cpp", code + "\n")
+        self.expect_clean("viewer/panels/a.h", "#pragma once\nvoid draw(const Session& session, const Document* of);\n")
+        self.expect_clean("viewer/panels/a.cpp", "wishes.add([pin](Session& s) { s.pin(pin); });  // Session& is theirs\n")
+
     def test_std_complex_is_a_violation_in_code_and_not_in_a_comment(self):
         self.expect_clean("engine/core/a.cpp", "// not std::complex, see README\n")
         self.expect_violation("engine/core/a.cpp", "std::complex<double> z;\n", 2, "std::complex")
