@@ -329,8 +329,8 @@ TEST(SceneHash, IgnoresWhatThePictureDoesNotDependOn) {
     EXPECT_EQ(scene_hash(scene), hash);
 }
 
-// If this fails, take another mark in io/scenes/scene_hash.cpp along with the new hash: who holds an old picture or an old folder
-// of runs against a scene must be told that it is of another version, not that it is of another scene.
+// If this fails, take another mark in io/scenes/scene_hash.cpp along with the new hash: who holds an old picture or an
+// old folder of runs against a scene must be told that it is of another version, not that it is of another scene.
 TEST(SceneHash, IsThatOfTheVersionBeforeOrHasAnotherMark) {
     const std::string glass =
         "media: {glass: 1.5}\nobjects:\n  - {name: ball, shape: {sphere: {radius: 1}}, medium: glass}\n";
