@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -220,21 +219,20 @@ int run(const AllRequest& request) {
 
 }  // namespace
 
-void add_check_all_command(CLI::App& check, int& exit_code) {
+void add_check_all_command(ProgramCommand check, int& exit_code) {
     auto request = std::make_shared<AllRequest>();
-    CLI::App* command = check.add_subcommand("all", "All checks on all shipped scenes, as one page");
-    command->add_option("-o,--output", request->folder, "Folder for report.html and the runs behind its curves")
-        ->type_name("FOLDER")
-        ->required();
-    command->add_option("--size", request->size, "Pixels along the sides of the scenes' pictures")
-        ->capture_default_str();
-    command->footer(
+    ProgramCommand command = check.add_subcommand("all", "All checks on all shipped scenes, as one page");
+    command.add_option("-o,--output", request->folder, "Folder for report.html and the runs behind its curves")
+        .type_name("FOLDER")
+        .required();
+    command.add_option("--size", request->size, "Pixels along the sides of the scenes' pictures").capture_default_str();
+    command.footer(
         "Facts, stiff cases, invariants of every shipped scene, and error against time on the paper's glass and "
         "calcite.\n"
         "Exit codes: 0 all is well; 1 something is not.\n"
         "\nExample:\n"
         "  polariscope check all -o report");
-    command->callback([request, &exit_code] { exit_code = run(*request); });
+    command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 
 }  // namespace pol

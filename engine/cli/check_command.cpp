@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -172,9 +171,8 @@ int check_scene(const FileRequest& request) {
 }
 
 /// A file that is not there may be a misspelled subcommand.
-int report_missing(const CLI::App& command, const std::string& word) {
-    std::vector<std::string> names;
-    for (const CLI::App* one : command.get_subcommands({})) names.push_back(one->get_name());
+int report_missing(const ProgramCommand& command, const std::string& word) {
+    const std::vector<std::string> names = command.subcommand_names();
     const auto nearest = nearest_word(word, std::vector<std::string_view>(names.begin(), names.end()));
     if (!nearest) return report({ErrorKind::input, "cannot be opened", Place{word}, {}, "is the name right?"});
     return report({ErrorKind::usage,
@@ -184,7 +182,7 @@ int report_missing(const CLI::App& command, const std::string& word) {
                    fmt::format("did you mean '{}'?", *nearest)});
 }
 
-int run(const CLI::App& command, const FileRequest& request) {
+int run(const ProgramCommand& command, const FileRequest& request) {
     if (request.file.empty())
         return report({ErrorKind::usage,
                        "nothing to check",
@@ -205,17 +203,18 @@ int run(const CLI::App& command, const FileRequest& request) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& exit_code) {
+void add_check_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<FileRequest>();
-    CLI::App* command = app.add_subcommand("check", "Prove the physics of this program, of a scene, or of a picture");
-    command->require_subcommand(0, 1);
+    ProgramCommand command =
+        app.add_subcommand("check", "Prove the physics of this program, of a scene, or of a picture");
+    command.may_have_subcommand();
     command
-        ->add_option("FILE", request->file,
-                     "Scene: invariants that hold whatever is in it. Stokes picture (.exr): whether it is light")
-        ->type_name("NAME.yaml|NAME.exr");
-    command->add_option("--size", request->size, "Scene: pixels along the sides of the picture")->capture_default_str();
-    command->add_flag("--json", request->json, "Print JSON");
-    command->footer(
+        .add_option("FILE", request->file,
+                    "Scene: invariants that hold whatever is in it. Stokes picture (.exr): whether it is light")
+        .type_name("NAME.yaml|NAME.exr");
+    command.add_option("--size", request->size, "Scene: pixels along the sides of the picture").capture_default_str();
+    command.add_flag("--json", request->json, "Print JSON");
+    command.footer(
         "Exit codes: 0 all is well; 1 a fact or a stiff case fails; 5 a scene breaks an invariant, or a picture is not "
         "light.\n"
         "\nExamples:\n"
@@ -223,12 +222,12 @@ void add_check_command(CLI::App& app, int& exit_code) {
         "  polariscope check stiff\n"
         "  polariscope check assets/scenes/cube-calcite.yaml --size 32\n"
         "  polariscope check stone.exr --json");
-    command->callback([command, request, &exit_code] {
-        if (command->get_subcommands().empty()) exit_code = run(*command, *request);
+    command.callback([command, request, &exit_code] {
+        if (!command.has_chosen_subcommand()) exit_code = run(command, *request);
     });
-    add_check_facts_command(*command, exit_code);
-    add_check_stiff_command(*command, exit_code);
-    add_check_all_command(*command, exit_code);
+    add_check_facts_command(command, exit_code);
+    add_check_stiff_command(command, exit_code);
+    add_check_all_command(command, exit_code);
 }
 
 }  // namespace pol

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -179,16 +178,15 @@ int run(const FactsRequest& request) {
 
 }  // namespace
 
-void add_check_facts_command(CLI::App& check, int& exit_code) {
+void add_check_facts_command(ProgramCommand check, int& exit_code) {
     auto request = std::make_shared<FactsRequest>();
-    CLI::App* command =
+    ProgramCommand command =
         check.add_subcommand("facts", "Hold the tracer to facts of polarization optics that have a closed form");
-    command->add_option("ID", request->ids, "Which facts: T1, T2, ... (default: all)")->type_name("FACT");
-    command->add_flag("--json", request->json, "Print JSON with every reading at full precision and its tolerance");
-    command
-        ->add_option("--scenes", request->scenes, "Write the facts' scenes into this folder instead, to look at them")
-        ->type_name("FOLDER");
-    command->footer(
+    command.add_option("ID", request->ids, "Which facts: T1, T2, ... (default: all)").type_name("FACT");
+    command.add_flag("--json", request->json, "Print JSON with every reading at full precision and its tolerance");
+    command.add_option("--scenes", request->scenes, "Write the facts' scenes into this folder instead, to look at them")
+        .type_name("FOLDER");
+    command.footer(
         "Every fact is a small scene, a pixel, a closed form from the literature and a tolerance that is derived. The\n"
         "scene goes through the loader, compiler and kernel of any picture.\n"
         "Exit codes: 0 all facts hold; 1 a fact fails.\n"
@@ -196,7 +194,7 @@ void add_check_facts_command(CLI::App& check, int& exit_code) {
         "  polariscope check facts\n"
         "  polariscope check facts T9 T11 --json\n"
         "  polariscope check facts T25 --scenes facts/ && polariscope explain facts/T25-1.yaml --pixel 16,16");
-    command->callback([request, &exit_code] { exit_code = run(*request); });
+    command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 
 }  // namespace pol

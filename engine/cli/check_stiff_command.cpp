@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -181,24 +180,24 @@ int run(const StiffRequest& request) {
 
 }  // namespace
 
-void add_check_stiff_command(CLI::App& check, int& exit_code) {
+void add_check_stiff_command(ProgramCommand check, int& exit_code) {
     auto request = std::make_shared<StiffRequest>();
-    CLI::App* command = check.add_subcommand(
+    ProgramCommand command = check.add_subcommand(
         "stiff", "Drive every degenerate case towards its singular point and compare with more digits");
     command
-        ->add_option("--sweep", request->sweeps,
-                     "Only the sweep of this case, or those of a group (" + list_of_groups() +
-                         "); may be repeated. engine/PHYSICS.md 4 says what they are about")
-        ->type_name("SWEEP");
-    command->add_option("-o,--output", request->folder, "Folder for plots (SVG) and one page with all of them")
-        ->type_name("FOLDER");
-    command->add_flag("--json", request->json, "Print JSON instead of a table, every point with its inputs");
-    command->footer(
+        .add_option("--sweep", request->sweeps,
+                    "Only the sweep of this case, or those of a group (" + list_of_groups() +
+                        "); may be repeated. engine/PHYSICS.md 4 says what they are about")
+        .type_name("SWEEP");
+    command.add_option("-o,--output", request->folder, "Folder for plots (SVG) and one page with all of them")
+        .type_name("FOLDER");
+    command.add_flag("--json", request->json, "Print JSON instead of a table, every point with its inputs");
+    command.footer(
         "Exit codes: 0 all cases are sound; 1 one is not.\n"
         "\nExamples:\n"
         "  polariscope check stiff -o stiff\n"
         "  polariscope check stiff --sweep grazing-crystal --json");
-    command->callback([request, &exit_code] { exit_code = run(*request); });
+    command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 
 }  // namespace pol

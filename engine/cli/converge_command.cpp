@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -172,25 +171,26 @@ int run(const ConvergeRequest& request) {
 
 }  // namespace
 
-void add_converge_command(CLI::App& app, int& exit_code) {
+void add_converge_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<ConvergeRequest>();
-    CLI::App* command = app.add_subcommand("converge", "Measure error against run time over many settings of a scene");
-    add_scene_options(*command, request->scene);
+    ProgramCommand command =
+        app.add_subcommand("converge", "Measure error against run time over many settings of a scene");
+    add_scene_options(command, request->scene);
     command
-        ->add_option("-o,--output", request->folder,
-                     "Folder for report.html, its plots as SVG, runs.csv and reference.exr")
-        ->type_name("FOLDER")
-        ->required();
+        .add_option("-o,--output", request->folder,
+                    "Folder for report.html, its plots as SVG, runs.csv and reference.exr")
+        .type_name("FOLDER")
+        .required();
     command
-        ->add_option("--reference", request->reference,
-                     "Stokes picture to measure against instead of our own; it is held "
-                     "against our deepest picture first")
-        ->type_name("NAME.exr");
-    command->add_option("--seeds", request->seeds, "Runs of each setting, with different random numbers")
-        ->capture_default_str();
-    command->add_option("--threads", request->threads, "Worker threads (default: all cores)");
-    command->add_flag("--quiet", request->quiet, "No progress");
-    command->footer(
+        .add_option("--reference", request->reference,
+                    "Stokes picture to measure against instead of our own; it is held "
+                    "against our deepest picture first")
+        .type_name("NAME.exr");
+    command.add_option("--seeds", request->seeds, "Runs of each setting, with different random numbers")
+        .capture_default_str();
+    command.add_option("--threads", request->threads, "Worker threads (default: all cores)");
+    command.add_flag("--quiet", request->quiet, "No progress");
+    command.footer(
         "Turns residual, samples, depth, branches and wavelengths one at a time, and tells truncation, sampling,\n"
         "spectral and floating-point error apart (the last one against the trees of some pixels followed in 128 bit).\n"
         "Without --size the longer side of the picture is cut to 96 pixels. Ctrl-C keeps the finished runs; the same\n"
@@ -201,7 +201,7 @@ void add_converge_command(CLI::App& app, int& exit_code) {
         "\nExamples:\n"
         "  polariscope converge assets/scenes/paper-glass-unpolarized.yaml -o glass\n"
         "  polariscope converge assets/scenes/paper-glass-unpolarized.yaml -o aa --mode area --wavelengths 380:780:20");
-    command->callback([request, &exit_code] { exit_code = run(*request); });
+    command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 
 }  // namespace pol

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "cli/command_line.h"
 
 namespace pol {
 
-void add_converge_command(CLI::App& app, int& exit_code);
+void add_converge_command(ProgramCommand app, int& exit_code);
 
 }  // namespace pol

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/explain_command.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -77,14 +76,14 @@ int show(const ExplainRequest& request, const Plan& plan, const Explanation& exp
 }
 
 /// An option that a pixel case leaves nothing to say to: the case names its pixel, and its scene has the settings.
-std::optional<Error> idle_option(const CLI::App& command) {
+std::optional<Error> idle_option(const ProgramCommand& command) {
     constexpr std::array useful{"--case", "--csv", "--obj", "--least", "--help", "SCENE"};
-    for (const CLI::Option* option : command.get_options())
-        if (option->count() > 0 && std::find(useful.begin(), useful.end(), option->get_name()) == useful.end())
+    for (const std::string& given : command.given_options())
+        if (std::find(useful.begin(), useful.end(), given) == useful.end())
             return Error{ErrorKind::usage,
                          "the case says that itself",
                          {},
-                         option->get_name(),
+                         given,
                          "leave it out, or change it in the case file"};
     return std::nullopt;
 }
@@ -147,36 +146,34 @@ int run(const ExplainRequest& request) {
 
 }  // namespace
 
-void add_explain_command(CLI::App& app, int& exit_code) {
+void add_explain_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<ExplainRequest>();
-    CLI::App* command =
+    ProgramCommand command =
         app.add_subcommand("explain", "Show a pixel's coherence matrix and the backward tree that made it");
-    add_scene_options(*command, request->scene);
-    command->add_option("--pixel", request->pixel, "Pixel X,Y; 0,0 is top left (needed without --case)")
-        ->delimiter(',')
-        ->expected(2);
-    command->add_option("--sample", request->sample,
-                        "Sample of the pixel; 0 is its centre, which mode area shows here only: "
-                        "those of its picture count from 1");
-    command->add_option("--wavelength", request->wavelength_nm,
-                        "Which of the wavelengths, in nm (default: the one nearest to 580)");
-    command->add_option("--least", request->least_share, "Leave out branches of less than this weight (text only)")
-        ->capture_default_str();
-    command->add_flag("--json", request->json, "Print JSON with every branch at full precision");
-    command->add_option("--csv", request->csv, "Also write a table of ray states, one line per segment (*.csv)")
-        ->type_name("NAME.csv");
-    command->add_option("--obj", request->obj, "Also write the paths as lines in space (*.obj)")->type_name("NAME.obj");
-    command->add_flag(
+    add_scene_options(command, request->scene);
+    command.add_option("--pixel", request->pixel, "Pixel X,Y; 0,0 is top left (needed without --case)").list(',', 2, 2);
+    command.add_option("--sample", request->sample,
+                       "Sample of the pixel; 0 is its centre, which mode area shows here only: "
+                       "those of its picture count from 1");
+    command.add_option("--wavelength", request->wavelength_nm,
+                       "Which of the wavelengths, in nm (default: the one nearest to 580)");
+    command.add_option("--least", request->least_share, "Leave out branches of less than this weight (text only)")
+        .capture_default_str();
+    command.add_flag("--json", request->json, "Print JSON with every branch at full precision");
+    command.add_option("--csv", request->csv, "Also write a table of ray states, one line per segment (*.csv)")
+        .type_name("NAME.csv");
+    command.add_option("--obj", request->obj, "Also write the paths as lines in space (*.obj)").type_name("NAME.obj");
+    command.add_flag(
         "--case", request->is_case,
         "SCENE is a pixel case (see assets/cases/README.md): check its matrix again; exit code 5 if it differs");
-    command->footer(
+    command.footer(
         "Examples:\n"
         "  polariscope explain assets/scenes/cube-calcite.yaml --pixel 256,200\n"
         "  polariscope explain assets/scenes/cube-calcite.yaml --pixel 256,200 --json > tree.json\n"
         "  polariscope explain assets/scenes/cube-calcite.yaml --pixel 256,200 --csv rays.csv --obj rays.obj\n"
         "  polariscope explain --case assets/cases/brewster.yaml");
-    command->callback([request, command, &exit_code] {
-        const auto problem = request->is_case ? idle_option(*command) : std::nullopt;
+    command.callback([request, command, &exit_code] {
+        const auto problem = request->is_case ? idle_option(command) : std::nullopt;
         exit_code = problem ? report(*problem) : run(*request);
     });
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -283,23 +282,19 @@ constexpr const char* footer =
 
 }  // namespace
 
-void add_interface_command(CLI::App& app, int& exit_code) {
+void add_interface_command(ProgramCommand app, int& exit_code) {
     const auto request = std::make_shared<Request>();
-    CLI::App* command = app.add_subcommand("interface", "What one interface does to light");
-    command->add_option("--from", request->from, "medium that the light comes from")->type_name("MEDIUM");
-    command->add_option("--to", request->to, "medium behind the interface")->type_name("MEDIUM");
-    command->add_option("--from-axis", request->from_axis, "X,Y,Z: optic axis of the first medium")
-        ->delimiter(',')
-        ->expected(1, 3);
-    command->add_option("--axis,--to-axis", request->to_axis, "X,Y,Z: optic axis of the second medium")
-        ->delimiter(',')
-        ->expected(1, 3);
-    command->add_option("--angle", request->angle_deg, "degrees between wave normal and normal")->capture_default_str();
-    command->add_option("--wavelength", request->wavelength_nm, "nm, for index records")->capture_default_str();
-    command->add_option("--cases", request->cases, "JSON lines, one interface each; - is standard input")
-        ->type_name("FILE");
-    command->footer(footer);
-    command->callback([request, &exit_code] {
+    ProgramCommand command = app.add_subcommand("interface", "What one interface does to light");
+    command.add_option("--from", request->from, "medium that the light comes from").type_name("MEDIUM");
+    command.add_option("--to", request->to, "medium behind the interface").type_name("MEDIUM");
+    command.add_option("--from-axis", request->from_axis, "X,Y,Z: optic axis of the first medium").list(',', 1, 3);
+    command.add_option("--axis,--to-axis", request->to_axis, "X,Y,Z: optic axis of the second medium").list(',', 1, 3);
+    command.add_option("--angle", request->angle_deg, "degrees between wave normal and normal").capture_default_str();
+    command.add_option("--wavelength", request->wavelength_nm, "nm, for index records").capture_default_str();
+    command.add_option("--cases", request->cases, "JSON lines, one interface each; - is standard input")
+        .type_name("FILE");
+    command.footer(footer);
+    command.callback([request, &exit_code] {
         const Result<Done> done = request->cases.empty() ? run_table(*request) : run_cases(request->cases);
         exit_code = done ? 0 : report(done.error());
     });

@@ -3,10 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 
+#include "cli/command_line.h"
 #include "cli/command_tree.h"
 #include "cli/completions.h"
 #include "cli/manual_page.h"
@@ -33,21 +33,22 @@ std::string text_of(CLI::App& app, Form form) {
 }  // namespace
 
 void add_manual_command(CLI::App& app) {
+    ProgramCommand program(app);
     auto form = std::make_shared<Form>();
-    CLI::App* command = app.add_subcommand("manual", "Print the manual page, or what completes commands in a shell");
-    command->add_option("FORM", *form, "What to print")
-        ->type_name("page|bash|zsh")
-        ->required()
-        ->transform(CLI::CheckedTransformer(
-                        std::map<std::string, Form>{{"page", Form::page}, {"bash", Form::bash}, {"zsh", Form::zsh}})
-                        .description({}));
-    command->footer(
+    ProgramCommand command =
+        program.add_subcommand("manual", "Print the manual page, or what completes commands in a shell");
+    command
+        .add_choice(
+            "FORM", {"page", "bash", "zsh"}, [form](std::size_t index) { *form = static_cast<Form>(index); },
+            "What to print")
+        .required();
+    command.footer(
         "All of it is made from what --help prints. An installed program has it in place already.\n"
         "\nExamples:\n"
         "  polariscope manual page | man -l -\n"
         "  polariscope manual bash > ~/.local/share/bash-completion/completions/polariscope\n"
         "  polariscope manual zsh > _polariscope   (into a folder of fpath)");
-    command->callback([&app, form] { std::fputs(text_of(app, *form).c_str(), stdout); });
+    command.callback([&app, form] { std::fputs(text_of(app, *form).c_str(), stdout); });
 }
 
 }  // namespace pol

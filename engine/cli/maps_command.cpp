@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -178,29 +177,27 @@ std::string footer() {
 
 }  // namespace
 
-void add_maps_command(CLI::App& app, int& exit_code) {
+void add_maps_command(ProgramCommand app, int& exit_code) {
     const auto request = std::make_shared<Request>();
-    CLI::App* command = app.add_subcommand("maps", "Draw a map of a Stokes picture (EXR) as PNG");
-    command->add_option("IN", request->input, "Stokes picture, EXR in the spectral layout")
-        ->type_name("NAME.exr")
-        ->required();
-    command->add_option("--map", request->map, "what to draw, see below")->type_name("MAP")->required();
-    command->add_option("-o,--output", request->output, "PNG file; a folder for --map all")
-        ->type_name("NAME.png|FOLDER")
-        ->required();
-    command->add_option("--wavelength", request->wavelength_nm, "wavelength in nm (default: the one nearest to 580)");
-    command->add_option("--style", request->style, "how it looks, see below")
-        ->type_name("scientific|paper|wilkie")
-        ->capture_default_str();
-    command->add_option("--exposure", request->exposure, "stops, for color and intensity")->capture_default_str();
-    command->add_option("--range", request->range, "LO,HI: values at the ends of the color bar")
-        ->delimiter(',')
-        ->expected(1, 2);
-    command->add_flag("--fade-by-bar", request->fade_by_bar,
-                      "fade as the error bar widens, to gray where it covers half of the range; not on gray scales");
-    command->add_flag("--plain", request->plain, "the pixels of the map alone, without bar and legend");
-    command->footer(footer());
-    command->callback([request, &exit_code] {
+    ProgramCommand command = app.add_subcommand("maps", "Draw a map of a Stokes picture (EXR) as PNG");
+    command.add_option("IN", request->input, "Stokes picture, EXR in the spectral layout")
+        .type_name("NAME.exr")
+        .required();
+    command.add_option("--map", request->map, "what to draw, see below").type_name("MAP").required();
+    command.add_option("-o,--output", request->output, "PNG file; a folder for --map all")
+        .type_name("NAME.png|FOLDER")
+        .required();
+    command.add_option("--wavelength", request->wavelength_nm, "wavelength in nm (default: the one nearest to 580)");
+    command.add_option("--style", request->style, "how it looks, see below")
+        .type_name("scientific|paper|wilkie")
+        .capture_default_str();
+    command.add_option("--exposure", request->exposure, "stops, for color and intensity").capture_default_str();
+    command.add_option("--range", request->range, "LO,HI: values at the ends of the color bar").list(',', 1, 2);
+    command.add_flag("--fade-by-bar", request->fade_by_bar,
+                     "fade as the error bar widens, to gray where it covers half of the range; not on gray scales");
+    command.add_flag("--plain", request->plain, "the pixels of the map alone, without bar and legend");
+    command.footer(footer());
+    command.callback([request, &exit_code] {
         const Result<Done> done = run(*request);
         exit_code = done ? 0 : report(done.error());
     });

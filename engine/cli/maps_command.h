@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "cli/command_line.h"
 
 namespace pol {
 
 /// Adds `polariscope maps`: a Stokes picture in, one map (or all) as PNG out. When the command runs it sets `exit_code`
 /// to 0 or to the ErrorKind of what went wrong, which it has then said on stderr. `exit_code` must outlive `app`.
-void add_maps_command(CLI::App& app, int& exit_code);
+void add_maps_command(ProgramCommand app, int& exit_code);
 
 }  // namespace pol

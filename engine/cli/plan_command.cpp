@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -59,14 +58,14 @@ int run(const PlanRequest& request) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& app, int& exit_code) {
+void add_plan_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<PlanRequest>();
-    CLI::App* command =
+    ProgramCommand command =
         app.add_subcommand("plan", "Show what a scene needs of the tracer and what is left out, and why");
-    add_scene_options(*command, request->scene);
-    command->add_flag("--json", request->json, "Print JSON");
-    command->footer("Example:\n  polariscope plan assets/scenes/cube-calcite.yaml --wavelengths 380:780:20");
-    command->callback([request, &exit_code] { exit_code = run(*request); });
+    add_scene_options(command, request->scene);
+    command.add_flag("--json", request->json, "Print JSON");
+    command.footer("Example:\n  polariscope plan assets/scenes/cube-calcite.yaml --wavelengths 380:780:20");
+    command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 
 }  // namespace pol

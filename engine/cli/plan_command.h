@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "cli/command_line.h"
 
 namespace pol {
 
 /// Adds `polariscope plan`: what a scene needs and what is left out.
-void add_plan_command(CLI::App& app, int& exit_code);
+void add_plan_command(ProgramCommand app, int& exit_code);
 
 }  // namespace pol

@@ -74,14 +74,15 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr\n"
         "  polariscope maps calcite.exr --map dop -o dop.png");
     int exit_code = 0;
-    add_render_command(app, exit_code);
-    add_maps_command(app, exit_code);
-    add_explain_command(app, exit_code);
-    add_interface_command(app, exit_code);
-    add_plan_command(app, exit_code);
-    add_check_command(app, exit_code);
-    add_converge_command(app, exit_code);
-    for (const AddCommand add : more) add(app, exit_code);
+    ProgramCommand program(app);
+    add_render_command(program, exit_code);
+    add_maps_command(program, exit_code);
+    add_explain_command(program, exit_code);
+    add_interface_command(program, exit_code);
+    add_plan_command(program, exit_code);
+    add_check_command(program, exit_code);
+    add_converge_command(program, exit_code);
+    for (const AddCommand add : more) add(program, exit_code);
     add_manual_command(app);
     try {
         app.parse(argc, argv);

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
+#include "cli/command_line.h"
 
-namespace CLI {
-class App;
-}
+#include <span>
 
 namespace pol {
 
 /// Adds a subcommand that leaves its exit code in `exit_code` when it has run.
-using AddCommand = void (*)(CLI::App& app, int& exit_code);
+using AddCommand = void (*)(ProgramCommand app, int& exit_code);
 
 /// The program: parses the command line, runs the subcommand, returns the exit code. `more` are commands from outside
 /// the engine (the window).

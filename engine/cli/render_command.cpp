@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
@@ -170,23 +169,23 @@ int run(const RenderRequest& request) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, int& exit_code) {
+void add_render_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<RenderRequest>();
-    CLI::App* command =
+    ProgramCommand command =
         app.add_subcommand("render", "Trace a scene and write the Stokes vectors of every pixel to an OpenEXR file");
-    add_scene_options(*command, request->scene);
-    command->add_option("-o,--output", request->output, "OpenEXR file to write")->type_name("NAME.exr")->required();
-    command->add_option("--threads", request->threads,
-                        "Worker threads; the picture does not depend on it (default: all cores)");
-    command->add_option("--time", request->seconds,
-                        "Stop after this many seconds and write what is there; in mode area without --spp, "
-                        "add samples until then");
-    command->add_option("--error", request->error,
-                        "Stop when the estimated error is below this share of the picture, for example 0.01");
-    command->add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file")
-        ->type_name("FILE");
-    command->add_flag("--quiet", request->quiet, "Print errors and doubts only");
-    command->footer(
+    add_scene_options(command, request->scene);
+    command.add_option("-o,--output", request->output, "OpenEXR file to write").type_name("NAME.exr").required();
+    command.add_option("--threads", request->threads,
+                       "Worker threads; the picture does not depend on it (default: all cores)");
+    command.add_option("--time", request->seconds,
+                       "Stop after this many seconds and write what is there; in mode area without --spp, "
+                       "add samples until then");
+    command.add_option("--error", request->error,
+                       "Stop when the estimated error is below this share of the picture, for example 0.01");
+    command.add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file")
+        .type_name("FILE");
+    command.add_flag("--quiet", request->quiet, "Print errors and doubts only");
+    command.footer(
         "Ctrl-C stops, writes what is there and exits with 130 (SIGTERM: 143). Ctrl-Z pauses, fg goes on; a pause "
         "counts\n"
         "neither for --time nor for the time left.\n"
@@ -200,7 +199,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
         "  polariscope render assets/scenes/bench/g1.yaml -o g1.exr --mode area --spp 64 --residual 3e-3 --stats "
         "g1.json\n"
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass.exr --error 0.02 --time 60");
-    command->callback([request, &exit_code] { exit_code = run(*request); });
+    command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 
 }  // namespace pol

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "cli/command_line.h"
 
 namespace pol {
 
 /// Adds `polariscope render`: a scene in, a Stokes EXR out.
-void add_render_command(CLI::App& app, int& exit_code);
+void add_render_command(ProgramCommand app, int& exit_code);
 
 }  // namespace pol

@@ -2,15 +2,15 @@
 #include "cli/scene_options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <optional>
 
 #include "cli/messages.h"
 #include "core/contract.h"
+#include "core/join.h"
 #include "core/overloaded.h"
 #include "io/scenes/scene_file.h"
 #include "plan/compile.h"
@@ -31,10 +31,11 @@ std::string seed_problem(const std::string& text) {
 }
 
 template <class Value>
-CLI::Option* add_setting(CLI::App& command, const RenderSetting& setting, SceneOptions& options) {
-    return command.add_option_function<Value>(
-        option_name(setting), [&options, key = setting.key](const Value& value) { options.given[key] = value; },
-        std::string(setting.help));
+ProgramOption add_setting(ProgramCommand command, const RenderSetting& setting, SceneOptions& options) {
+    const std::function<void(const Value&)> take = [&options, key = setting.key](const Value& value) {
+        options.given[key] = value;
+    };
+    return command.add_option_function(option_name(setting), take, std::string(setting.help));
 }
 
 std::optional<Error> usage(const RenderSetting& setting, std::string what, std::string hint) {
@@ -73,7 +74,7 @@ std::optional<Error> set(const RenderSetting& setting, const GivenSetting& given
                               const auto found = std::find(kind.words.begin(), kind.words.end(), word);
                               if (found == kind.words.end())
                                   return usage(setting, fmt::format("there is no {} '{}'", setting.key, word),
-                                               fmt::format("{}", fmt::join(kind.words, " or ")));
+                                               join(kind.words, " or "));
                               kind.set(settings, static_cast<int>(found - kind.words.begin()));
                               return none;
                           },
@@ -109,25 +110,24 @@ bool SceneOptions::gives(std::string_view key) const {
     return given.count(key) > 0;
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
+void add_scene_options(ProgramCommand command, SceneOptions& options) {
     command.add_option("SCENE", options.scene, "Scene file (YAML, see assets/scenes/README.md)")
-        ->type_name("NAME.yaml")
-        ->required();
+        .type_name("NAME.yaml")
+        .required();
     for (const RenderSetting& setting : render_settings()) {
         std::visit(Overloaded{
                        [&](const SizeSetting& /*kind*/) {
-                           add_setting<std::string>(command, setting, options)->type_name("WxH");
+                           add_setting<std::string>(command, setting, options).type_name("WxH");
                        },
                        [&](const WavelengthsSetting& /*kind*/) { add_setting<std::string>(command, setting, options); },
                        [&](const ChoiceSetting& kind) {
-                           add_setting<std::string>(command, setting, options)
-                               ->type_name(fmt::format("{}", fmt::join(kind.words, "|")));
+                           add_setting<std::string>(command, setting, options).type_name(join(kind.words, "|"));
                        },
                        [&](const NumberSetting& /*kind*/) { add_setting<double>(command, setting, options); },
                        [&](const WholeSetting& /*kind*/) { add_setting<int>(command, setting, options); },
                        [&](const LimitSetting& /*kind*/) { add_setting<int>(command, setting, options); },
                        [&](const SeedSetting& /*kind*/) {
-                           add_setting<std::uint64_t>(command, setting, options)->check(seed_problem);
+                           add_setting<std::uint64_t>(command, setting, options).check(seed_problem);
                        },
                        [&](const FlagSetting& /*kind*/) {
                            command.add_flag_callback(

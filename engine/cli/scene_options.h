@@ -2,6 +2,8 @@
 // What the commands that trace a scene have in common: the scene and the settings that may replace those in the file.
 #pragma once
 
+#include "cli/command_line.h"
+
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -12,10 +14,6 @@
 #include "core/result.h"
 #include "plan/plan.h"
 #include "scene/scene.h"
-
-namespace CLI {
-class App;
-}
 
 namespace pol {
 
@@ -31,7 +29,7 @@ struct SceneOptions {
 };
 
 /// Adds the scene argument and an option for each setting.
-void add_scene_options(CLI::App& command, SceneOptions& options);
+void add_scene_options(ProgramCommand command, SceneOptions& options);
 
 /// The options that are given, as they would be written again: " --mode area --spp 4".
 std::string given_text(const SceneOptions& options);

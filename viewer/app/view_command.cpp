@@ -3,11 +3,10 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -27,7 +26,7 @@ struct ViewRequest {
     AppOptions options;
 };
 
-/// "1280x800" as width and height; CLI11's message if it is not.
+/// "1280x800" as width and height; what is wrong with it if it is not.
 std::string check_size(const std::string& text) {
     int width = 0;
     int height = 0;
@@ -41,6 +40,13 @@ std::string check_size(const std::string& text) {
 }
 
 /// The message if `text` is no folder that can be written to.
+std::string scale_problem(const std::string& text) {
+    double scale = 0.0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), scale);
+    const bool right = status == std::errc() && end == text.data() + text.size() && scale >= 0.5 && scale <= 4.0;
+    return right ? std::string() : "'" + text + "' is no factor from 0.5 to 4";
+}
+
 std::string check_folder(const std::string& text) {
     std::error_code failed;
     if (!std::filesystem::is_directory(text, failed)) return "there is no folder '" + text + "': make it first";
@@ -64,29 +70,28 @@ std::string keys_text() {
 
 }  // namespace
 
-void add_view_command(CLI::App& app, int& exit_code) {
+void add_view_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<ViewRequest>();
-    CLI::App* command = app.add_subcommand("view", "Open scenes and EXR pictures in a window");
-    command->add_option("files", request->files, "Scenes (*.yaml) and Stokes pictures (*.exr)")
-        ->type_name("NAME.yaml|NAME.exr");
-    command->add_option("--size", request->size, "Size of the window in points")
-        ->type_name("WxH")
-        ->check(CLI::Validator(check_size, {}))
-        ->capture_default_str();
-    command->add_option("--theme", request->options.theme, "Colors of the window")
-        ->type_name("dark|light")
-        ->transform(
-            CLI::CheckedTransformer(std::map<std::string, Theme>{{"dark", Theme::dark}, {"light", Theme::light}})
-                .description({}));
-    command->add_option("--ui-scale", request->options.ui_scale, "Size of fonts and widgets; without it, the screen's")
-        ->type_name("FACTOR")
-        ->check(CLI::Range(0.5, 4.0).description({}));
-    command->add_option("--probe", request->options.probe)->group("")->check(CLI::Validator(check_folder, {}));
-    command->footer(keys_text() +
-                    "\nExamples:\n"
-                    "  polariscope view assets/scenes/paper-calcite-unpolarized.yaml\n"
-                    "  polariscope view before.exr after.exr --theme light");
-    command->callback([request, &exit_code] {
+    ProgramCommand command = app.add_subcommand("view", "Open scenes and EXR pictures in a window");
+    command.add_option("files", request->files, "Scenes (*.yaml) and Stokes pictures (*.exr)")
+        .type_name("NAME.yaml|NAME.exr");
+    command.add_option("--size", request->size, "Size of the window in points")
+        .type_name("WxH")
+        .check(check_size)
+        .capture_default_str();
+    command.add_choice(
+        "--theme", {"dark", "light"},
+        [request](std::size_t index) { request->options.theme = index == 0 ? Theme::dark : Theme::light; },
+        "Colors of the window");
+    command.add_option("--ui-scale", request->options.ui_scale, "Size of fonts and widgets; without it, the screen's")
+        .type_name("FACTOR")
+        .check(scale_problem);
+    command.add_option("--probe", request->options.probe).hidden().check(check_folder);
+    command.footer(keys_text() +
+                   "\nExamples:\n"
+                   "  polariscope view assets/scenes/paper-calcite-unpolarized.yaml\n"
+                   "  polariscope view before.exr after.exr --theme light");
+    command.callback([request, &exit_code] {
         AppOptions& options = request->options;
         std::sscanf(request->size.c_str(), "%dx%d", &options.width, &options.height);
         const auto ended = run_app({request->files.begin(), request->files.end()}, options);
