@@ -44,7 +44,10 @@ std::vector<std::string> known_names(std::string_view type) {
     } else if (type == "FACT") {
         for (const verify::Fact& fact : verify::facts()) names.push_back(fact.id);
     } else if (type == "SWEEP") {
-        for (const verify::DegenerateCase& one : verify::degenerate_cases()) names.push_back(one.name);
+        for (const verify::DegenerateCase& one : verify::degenerate_cases()) {
+            if (std::find(names.begin(), names.end(), one.group) == names.end()) names.push_back(one.group);
+            names.push_back(one.name);
+        }
     }
     return names;
 }

@@ -13,7 +13,7 @@ class App;
 namespace pol {
 
 /// What may stand for a value, read from its type name in the help: `point|area` are words, NAME.exr is a file with
-/// that ending, FILE any file, FOLDER a folder, and MAP, MEDIUM, FACT and CASE are the names the program knows. Of any
+/// that ending, FILE any file, FOLDER a folder, and MAP, MEDIUM, FACT and SWEEP are the names the program knows. Of any
 /// other value nothing is known.
 struct Values {
     std::vector<std::string> words;

@@ -62,7 +62,7 @@ std::string keys_text() {
         if (keys.empty()) continue;
         if (command.also.key != Key::none) keys += ", " + name_of(command.also);
         constexpr std::size_t column = 16;
-        keys.resize(std::max(column, keys.size() + 1), ' ');
+        keys.resize(std::max(column, keys.size() + 2), ' ');
         text += "  " + keys + std::string(command.title) + '\n';
     }
     return text;
