@@ -61,6 +61,11 @@ class Manual(ProgramTest):
                           if "missing date" not in line]  # a build does not know when its release is
             self.assertEqual(complaints, [], command[0])
 
+    def test_anything_else_is_refused_with_what_there_is(self):
+        done = self.run_program("manual", "nothing")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("'nothing' is none of page, bash, zsh", done.stderr)
+
     def completed(self, line, **environment):
         """What bash offers for the last word of `line`, which is cut into words as bash does it."""
         script = self.write("completion.bash", self.manual("bash"))
