@@ -26,7 +26,7 @@ set_target_properties(polariscope_engine PROPERTIES LINKER_LANGUAGE CXX EXPORT_N
 target_compile_features(polariscope_engine INTERFACE cxx_std_20)
 target_include_directories(polariscope_engine INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # Each is looked for again by polariscopeConfig.cmake.in.
-foreach(library cairo embree fmt highway openexr png threads yaml-cpp)
+foreach(library cairo embree fmt highway openexr png threads xxhash yaml-cpp)
     target_link_libraries(polariscope_engine PRIVATE ${pol_library_${library}})
 endforeach()
 if(TinyGLTF_FOUND)
