@@ -11,6 +11,7 @@
 #include "cli/check_command.h"
 #include "cli/messages.h"
 #include "cli/output_checks.h"
+#include "core/result.h"
 #include "io/files/assets.h"
 #include "io/files/output_file.h"
 #include "io/scenes/scene_file.h"
@@ -117,15 +118,13 @@ Result<Chapter> check_scenes(const AllRequest& request) {
     const std::vector<fs::path> scenes = shipped_scenes();
     if (scenes.empty()) return missing_assets();
     for (const fs::path& path : scenes) {
-        const auto scene = load_scene(path);
-        if (!scene) return scene.error();
-        const auto test = verify::under_test(verify::small(scene.value(), request.size));
-        if (!test) return test.error();
+        POL_TRY(const auto scene, load_scene(path));
+        POL_TRY(const auto test, verify::under_test(verify::small(scene, request.size)));
         fmt::print("  {}\n", path.filename().string());
         std::fflush(stdout);
         chapter.body += "<tr><td>" + xml_text(path.stem().string()) + "</td>";
         for (const verify::Invariant& invariant : verify::invariants()) {
-            const verify::InvariantResult result = invariant.check(test.value());
+            const verify::InvariantResult result = invariant.check(test);
             numbers += result.tested;
             pass += result.outcome == verify::Outcome::pass ? 1 : 0;
             fail += result.outcome == verify::Outcome::fail ? 1 : 0;
@@ -148,22 +147,20 @@ Result<Chapter> check_scenes(const AllRequest& request) {
 /// Error against time of one of the paper's scenes, into a folder of its own that a second start goes on with.
 Result<Chapter> check_convergence(const AllRequest& request, const std::string& name) {
     Chapter chapter{"Error against run time: " + name, {}, {}};
-    auto scene = load_scene(assets_dir() / "scenes" / (name + ".yaml"));
-    if (!scene) return scene.error();
+    POL_TRY(auto scene, load_scene(assets_dir() / "scenes" / (name + ".yaml")));
     verify::ConvergenceRequest work;
-    work.scene = std::move(scene).value();
+    work.scene = std::move(scene);
     work.scene.render.width = work.scene.render.height = 4 * request.size;
     work.scene_name = name;
     work.folder = fs::path(request.folder) / name;
     work.threads = hardware_threads();
     work.tool_version = POL_VERSION;
-    if (const auto made = make_folder(work.folder); !made) return made.error();
+    POL_TRY_DONE(make_folder(work.folder));
     const auto result = verify::converge(work, [](const verify::ConvergenceProgress&) { return true; });
     if (!result) return result.error();
-    const auto pictures = verify::budget_pictures(work, result.value());
-    if (!pictures) return pictures.error();
+    POL_TRY(const auto pictures, verify::budget_pictures(work, result.value()));
     chapter.body =
-        verify::convergence_section(work, result.value(), pictures.value(),
+        verify::convergence_section(work, result.value(), pictures,
                                     fmt::format("polariscope converge assets/scenes/{}.yaml -o {} --size {}x{}", name,
                                                 name, work.scene.render.width, work.scene.render.height));
     chapter.good = verify::bounds_hold(result.value());

@@ -15,6 +15,7 @@
 #include "cli/messages.h"
 #include "cli/output_checks.h"
 #include "core/nearest_word.h"
+#include "core/result.h"
 #include "io/files/output_file.h"
 #include "report/number_words.h"
 #include "verify/degenerate/degenerate_case.h"
@@ -148,8 +149,7 @@ void print_json(const std::vector<DegenerateResult>& results) {
 
 Result<Done> write_folder(const fs::path& folder, const std::vector<DegenerateResult>& results) {
     for (const DegenerateResult& r : results) {
-        const auto written = write_file(folder / (r.of->name + ".svg"), plot_svg(verify::degenerate_plot(r)));
-        if (!written) return written.error();
+        POL_TRY_DONE(write_file(folder / (r.of->name + ".svg"), plot_svg(verify::degenerate_plot(r))));
     }
     return write_file(folder / "stiff.html", verify::degenerate_page(results));
 }

@@ -16,6 +16,7 @@
 #include "cli/output_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
+#include "core/result.h"
 #include "io/files/output_file.h"
 #include "render/renderer.h"
 #include "report/html_page.h"
@@ -91,13 +92,12 @@ void print_summary(const verify::ConvergenceResult& result, const std::filesyste
 
 Result<Done> write_report(const verify::ConvergenceRequest& work, const verify::ConvergenceResult& result,
                           const std::string& command) {
-    const auto pictures = verify::budget_pictures(work, result);
-    if (!pictures) return pictures.error();
+    POL_TRY(const auto pictures, verify::budget_pictures(work, result));
     for (const verify::NamedPlot& named : verify::convergence_plots(result))
         if (auto done = write_file(work.folder / (named.name + ".svg"), plot_svg(named.plot)); !done) return done;
     return write_file(work.folder / "report.html",
                       html_page("Error against run time: " + work.scene_name,
-                                verify::convergence_section(work, result, pictures.value(), command)));
+                                verify::convergence_section(work, result, pictures, command)));
 }
 
 /// The command line that makes the report again.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/result.h"
 #include "optics/boundary_solver.h"
 #include "optics/evanescent_modes.h"
 
@@ -52,28 +53,21 @@ Result<Dielectric<double>> read_medium(const Json& object, const char* key) {
     }
     const std::string type = medium["type"].get<std::string>();
     if (type == "isotropic") {
-        const Result<double> n = read_number(medium, key, "n", 0.0, false);
-        if (!n) return n.error();
-        if (!medium.contains("k")) return make_isotropic(n.value());
-        const Result<double> k = read_number(medium, key, "k", 0.0, true);
-        if (!k) return k.error();
-        return make_isotropic(n.value(), k.value());
+        POL_TRY(const auto n, read_number(medium, key, "n", 0.0, false));
+        if (!medium.contains("k")) return make_isotropic(n);
+        POL_TRY(const auto k, read_number(medium, key, "k", 0.0, true));
+        return make_isotropic(n, k);
     }
     if (type == "uniaxial") {
-        const Result<double> n_o = read_number(medium, key, "no", 0.0, false);
-        if (!n_o) return n_o.error();
-        const Result<double> n_e = read_number(medium, key, "ne", 0.0, false);
-        if (!n_e) return n_e.error();
-        const Result<DVec3> axis = read_direction(medium, key, "axis");
-        if (!axis) return axis.error();
-        return make_uniaxial(n_o.value(), n_e.value(), axis.value());
+        POL_TRY(const auto n_o, read_number(medium, key, "no", 0.0, false));
+        POL_TRY(const auto n_e, read_number(medium, key, "ne", 0.0, false));
+        POL_TRY(const auto axis, read_direction(medium, key, "axis"));
+        return make_uniaxial(n_o, n_e, axis);
     }
     if (type == "conductor" && std::string(key) == "medium2") {
-        const Result<double> n = read_number(medium, key, "n", 0.0, false);
-        if (!n) return n.error();
-        const Result<double> k = read_number(medium, key, "k", 0.0, true);
-        if (!k) return k.error();
-        return make_conductor(n.value(), k.value());
+        POL_TRY(const auto n, read_number(medium, key, "n", 0.0, false));
+        POL_TRY(const auto k, read_number(medium, key, "k", 0.0, true));
+        return make_conductor(n, k);
     }
     return wrong(std::string(key) + ".type", fmt::format("\"{}\" is not supported", type),
                  "isotropic or uniaxial; medium 2 may also be a conductor");
@@ -135,16 +129,11 @@ Result<InterfaceCase> read_interface_case(const std::string& line) {
     const Json object = Json::parse(line, nullptr, false);
     if (object.is_discarded() || !object.is_object()) return wrong("", "is not a JSON object");
     InterfaceCase result;
-    const Result<DVec3> normal = read_direction(object, "", "normal");
-    if (!normal) return normal.error();
-    const Result<DVec3> wave_normal = read_direction(object, "", "wave_normal");
-    if (!wave_normal) return wave_normal.error();
-    const Result<Dielectric<double>> medium1 = read_medium(object, "medium1");
-    if (!medium1) return medium1.error();
-    const Result<Dielectric<double>> medium2 = read_medium(object, "medium2");
-    if (!medium2) return medium2.error();
-    return InterfaceCase{normal.value(), wave_normal.value(), medium1.value(), medium2.value(),
-                         object.value("case", Json())};
+    POL_TRY(const auto normal, read_direction(object, "", "normal"));
+    POL_TRY(const auto wave_normal, read_direction(object, "", "wave_normal"));
+    POL_TRY(const auto medium1, read_medium(object, "medium1"));
+    POL_TRY(const auto medium2, read_medium(object, "medium2"));
+    return InterfaceCase{normal, wave_normal, medium1, medium2, object.value("case", Json())};
 }
 
 Json solve_interface_case(const InterfaceCase& interface) {

@@ -21,6 +21,7 @@
 #include "cli/interface_cases.h"
 #include "cli/messages.h"
 #include "core/hypot.h"
+#include "core/result.h"
 #include "core/units.h"
 #include "io/files/assets.h"
 #include "io/scenes/index_file.h"
@@ -99,9 +100,8 @@ Result<Dielectric<double>> crystal(double n_o, double n_e, const std::vector<dou
                                    const std::string& axis_option) {
     if (axis.empty())
         return usage_error(axis_option, "is missing: the medium is a crystal", fmt::format("{} 1,0,1", axis_option));
-    const Result<DVec3> c = direction(axis, axis_option);
-    if (!c) return c.error();
-    return make_uniaxial(n_o, n_e, c.value());
+    POL_TRY(const auto c, direction(axis, axis_option));
+    return make_uniaxial(n_o, n_e, c);
 }
 
 Result<Dielectric<double>> medium(const std::string& text, const std::vector<double>& axis, double wavelength_nm,
@@ -121,24 +121,21 @@ Result<Dielectric<double>> medium(const std::string& text, const std::vector<dou
     if (is_crystal(text, assets_dir())) {
         const Result<CrystalIndices> records = load_crystal(text, assets_dir());
         if (!records) return in_option(records.error(), option);
-        const Result<ComplexIndex> n_o = index_at(records.value().ordinary, wavelength_nm);
-        if (!n_o) return n_o.error();
-        const Result<ComplexIndex> n_e = index_at(records.value().extraordinary, wavelength_nm);
-        if (!n_e) return n_e.error();
-        const double k = std::max(n_o.value().k, n_e.value().k);
+        POL_TRY(const auto n_o, index_at(records.value().ordinary, wavelength_nm));
+        POL_TRY(const auto n_e, index_at(records.value().extraordinary, wavelength_nm));
+        const double k = std::max(n_o.k, n_e.k);
         if (k >= strongest_crystal_extinction)
             return usage_error(option, fmt::format("'{}' has an extinction of {:g}: too much for a crystal", text, k),
                                "crystals are followed with real indices; a metal is written n+ki");
-        return crystal(n_o.value().n, n_e.value().n, axis, axis_option);
+        return crystal(n_o.n, n_e.n, axis, axis_option);
     }
     const Result<RefractiveIndex> record = load_index(text, assets_dir());
     if (!record) return in_option(record.error(), option);
-    const Result<ComplexIndex> n = index_at(record.value(), wavelength_nm);
-    if (!n) return n.error();
+    POL_TRY(const auto n, index_at(record.value(), wavelength_nm));
     if (extinction_is_unknown(record.value(), wavelength_nm))
         remark(
             fmt::format("polariscope: k of '{}' is not known at {} nm: 0 is used\n", printable(text), wavelength_nm));
-    return matter(n.value());
+    return matter(n);
 }
 
 std::string describe(const Dielectric<double>& m) {
@@ -210,14 +207,12 @@ Result<Done> run_table(const Request& request) {
     }
     if (const auto problem = wavelength_problem(request.wavelength_nm))
         return usage_error("--wavelength", problem->what, problem->hint);
-    const auto from = medium(request.from, request.from_axis, request.wavelength_nm, "--from", "--from-axis");
-    if (!from) return from.error();
-    if (from.value().kind == MediumKind::conductor)
+    POL_TRY(const auto from, medium(request.from, request.from_axis, request.wavelength_nm, "--from", "--from-axis"));
+    if (from.kind == MediumKind::conductor)
         return usage_error("--from", "light does not come out of a metal", "exchange --from and --to");
-    const auto to = medium(request.to, request.to_axis, request.wavelength_nm, "--to", "--axis");
-    if (!to) return to.error();
+    POL_TRY(const auto to, medium(request.to, request.to_axis, request.wavelength_nm, "--to", "--axis"));
     const double angle = radians(request.angle_deg);
-    print_table({{0.0, 0.0, 1.0}, {std::sin(angle), 0.0, std::cos(angle)}, from.value(), to.value(), {}}, request);
+    print_table({{0.0, 0.0, 1.0}, {std::sin(angle), 0.0, std::cos(angle)}, from, to, {}}, request);
     return Done{};
 }
 

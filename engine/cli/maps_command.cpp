@@ -18,6 +18,7 @@
 
 #include "cli/messages.h"
 #include "cli/output_checks.h"
+#include "core/result.h"
 #include "io/pictures/exr_file.h"
 #include "io/pictures/png_file.h"
 #include "maps/colorize.h"
@@ -105,32 +106,26 @@ std::string caption_of(const StokesImage& image, const fs::path& input) {
 
 Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t wavelength, const MapOptions& options,
                        const Request& request, const fs::path& output) {
-    const Result<ColoredMap> map = draw_map(image, quantity, wavelength, options);
-    if (!map) return map.error();
+    POL_TRY(const auto map, draw_map(image, quantity, wavelength, options));
     const auto warn_of = [&](PixelState state, std::string_view what) {
-        const std::size_t bad = map.value().state_count[static_cast<std::size_t>(state)];
+        const std::size_t bad = map.state_count[static_cast<std::size_t>(state)];
         if (bad > 0) remark(fmt::format("{}: {} pixels of '{}' {}\n", request.input, bad, info(quantity).name, what));
     };
     warn_of(PixelState::not_a_number, "are not a number");
     warn_of(PixelState::unphysical, "are unphysical: negative S0 or residual, or polarized light without S0");
-    if (request.plain) return write_png(map.value().picture, output);
-    const Result<RgbPicture> picture = map_picture(map.value(), caption_of(image, request.input));
-    if (!picture) return picture.error();
-    return write_png(picture.value(), output);
+    if (request.plain) return write_png(map.picture, output);
+    POL_TRY(const auto picture, map_picture(map, caption_of(image, request.input)));
+    return write_png(picture, output);
 }
 
 Result<Done> run(const Request& request) {
-    const Result<std::vector<Quantity>> wanted = wanted_quantities(request.map);
-    if (!wanted) return wanted.error();
-    const Result<MapOptions> options = wanted_options(request);
-    if (!options) return options.error();
+    POL_TRY(const auto wanted, wanted_quantities(request.map));
+    POL_TRY(const auto options, wanted_options(request));
     if (request.map != "all") {
         if (const auto problem = output_problem(request.output, ".png", {request.input})) return *problem;
     }
-    const Result<StokesImage> image = read_exr(request.input);
-    if (!image) return image.error();
-    const Result<std::size_t> wavelength = wanted_wavelength(image.value(), request.wavelength_nm);
-    if (!wavelength) return wavelength.error();
+    POL_TRY(const auto image, read_exr(request.input));
+    POL_TRY(const auto wavelength, wanted_wavelength(image, request.wavelength_nm));
 
     const bool is_folder = request.map == "all";
     if (is_folder) {
@@ -144,11 +139,10 @@ Result<Done> run(const Request& request) {
                          "--map all writes one file per map"};
         }
     }
-    for (const Quantity quantity : wanted.value()) {
+    for (const Quantity quantity : wanted) {
         const fs::path output = is_folder ? fs::path(request.output) / fmt::format("{}.png", info(quantity).name)
                                           : fs::path(request.output);
-        const Result<Done> written =
-            write_map(image.value(), quantity, wavelength.value(), options.value(), request, output);
+        const Result<Done> written = write_map(image, quantity, wavelength, options, request, output);
         if (!written) return written.error();
     }
     return Done{};

@@ -17,6 +17,7 @@
 #include "cli/progress_line.h"
 #include "cli/render_report.h"
 #include "cli/scene_options.h"
+#include "core/result.h"
 #include "io/files/output_file.h"
 #include "io/pictures/exr_file.h"
 #include "io/scenes/picture_attributes.h"
@@ -89,9 +90,8 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
             remark(fmt::format("too much light is untraced: residual {:.3g} instead of {:.3g}\n", *finer,
                                scene.render.residual));
         scene.render.residual = *finer;
-        auto finer_plan = compile(scene);
-        if (!finer_plan) return finer_plan.error();
-        plan = std::move(finer_plan).value();
+        POL_TRY(auto finer_plan, compile(scene));
+        plan = std::move(finer_plan);
     }
 }
 
@@ -103,8 +103,7 @@ std::optional<Error> unusable_output(const RenderRequest& request) {
         return probe ? std::nullopt : std::optional(probe.error());
     }
     if (auto problem = output_problem(request.statistics, "", {request.scene.scene, request.output})) return problem;
-    for (const std::string& path : {request.output, request.statistics})
-        if (auto probe = OutputFile::create(path); !probe) return probe.error();
+    for (const std::string& path : {request.output, request.statistics}) POL_TRY_DONE(OutputFile::create(path));
     return std::nullopt;
 }
 

@@ -12,6 +12,7 @@
 #include "core/contract.h"
 #include "core/join.h"
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "io/scenes/scene_file.h"
 #include "plan/compile.h"
 #include "scene/check.h"
@@ -152,9 +153,7 @@ std::string given_text(const SceneOptions& options) {
 }
 
 Result<Scene> load_scene_with(const SceneOptions& options) {
-    auto loaded = load_scene(options.scene);
-    if (!loaded) return loaded.error();
-    Scene scene = std::move(loaded).value();
+    POL_TRY(Scene scene, load_scene(options.scene));
     for (const RenderSetting* setting : settings_in_order_of_effect()) {
         const auto found = options.given.find(setting->key);
         if (found == options.given.end()) continue;
@@ -174,11 +173,9 @@ void remark_doubts(const Plan& plan) {
 }
 
 Result<LoadedPlan> load_plan(const SceneOptions& options) {
-    auto scene = load_scene_with(options);
-    if (!scene) return scene.error();
-    auto plan = compile(scene.value());
-    if (!plan) return plan.error();
-    return LoadedPlan{std::move(scene).value(), std::move(plan).value()};
+    POL_TRY(auto scene, load_scene_with(options));
+    POL_TRY(auto plan, compile(scene));
+    return LoadedPlan{std::move(scene), std::move(plan)};
 }
 
 }  // namespace pol

@@ -86,3 +86,16 @@ private:
 };
 
 }  // namespace pol
+
+/// POL_TRY(const auto mesh, read_mesh(path)); declares what a call gives, or leaves the function with the call's error.
+#define POL_TRY(declaration, ...) POL_TRY_AS(POL_JOINED(tried_in_line_, __LINE__), declaration, __VA_ARGS__)
+/// The same for a call that gives nothing but an error, if any.
+#define POL_TRY_DONE(...) \
+    if (auto tried = (__VA_ARGS__); !tried) return tried.error()
+
+#define POL_TRY_AS(tried, declaration, ...) \
+    auto tried = (__VA_ARGS__);             \
+    if (!(tried)) return (tried).error();   \
+    declaration = std::move(tried).value()  // NOLINT(bugprone-macro-parentheses): a declaration
+#define POL_JOINED(a, b) POL_JOINED_AS(a, b)
+#define POL_JOINED_AS(a, b) a##b

@@ -57,7 +57,7 @@ Result<Done> check(const BrilliantShape& s) {
 }  // namespace
 
 Result<Mesh> make_brilliant(const BrilliantShape& s) {
-    if (const Result<Done> sane = check(s); !sane) return sane.error();
+    POL_TRY_DONE(check(s));
     const double radius = 0.5 * s.diameter;
     const double table_radius = radius * s.table_ratio;
     const double top = 0.5 * s.girdle_ratio * s.diameter;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/result.h"
 #include "geometry/complaint.h"
 #include "geometry/mesh_check.h"
 #include "geometry/polytope.h"
@@ -40,15 +41,14 @@ HalfSpaceSolid::HalfSpaceSolid(Mesh mesh) : mesh_(std::move(mesh)), blocks_(pack
 }
 
 Result<HalfSpaceSolid> HalfSpaceSolid::from_mesh(Mesh mesh) {
-    if (const Result<Done> closed = check_closed(mesh); !closed) return closed.error();
+    POL_TRY_DONE(check_closed(mesh));
     if (!is_convex(mesh)) return complaint("", "the mesh is not convex", "trace it with RayCaster");
     return HalfSpaceSolid(std::move(mesh));
 }
 
 Result<HalfSpaceSolid> HalfSpaceSolid::from_planes(std::span<const Plane> planes) {
-    Result<Mesh> mesh = mesh_from_planes(planes);
-    if (!mesh) return mesh.error();
-    return HalfSpaceSolid(std::move(mesh).value());
+    POL_TRY(auto mesh, mesh_from_planes(planes));
+    return HalfSpaceSolid(std::move(mesh));
 }
 
 FacetHit HalfSpaceSolid::exit(const DVec3& o, const DVec3& d, int skip) const {

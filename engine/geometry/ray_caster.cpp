@@ -489,7 +489,7 @@ Result<RayCaster> RayCaster::build(std::vector<Mesh> meshes) {
     auto impl = std::make_unique<Impl>();
     for (Mesh& mesh : meshes) impl->solids.push_back(prepared(std::move(mesh)));
     impl->clusters = clusters_of(impl->solids);
-    if (const Result<Done> filled = impl->fill_scenes(); !filled) return filled.error();
+    POL_TRY_DONE(impl->fill_scenes());
     return RayCaster(std::move(impl));
 }
 

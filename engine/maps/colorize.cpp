@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/contract.h"
+#include "core/result.h"
 #include "maps/color_picture.h"
 
 namespace pol {
@@ -176,9 +177,8 @@ ColoredMap colorize_picture(const StokesImage& image, const MapOptions& options)
 Result<ColoredMap> draw_map(const StokesImage& image, Quantity quantity, std::size_t wavelength,
                             const MapOptions& options) {
     if (quantity == Quantity::color) return colorize_picture(image, options);
-    const Result<Map> map = evaluate(image, quantity, wavelength);
-    if (!map) return map.error();
-    return colorize(map.value(), options);
+    POL_TRY(const auto map, evaluate(image, quantity, wavelength));
+    return colorize(map, options);
 }
 
 }  // namespace pol

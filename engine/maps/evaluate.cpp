@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/contract.h"
+#include "core/result.h"
 #include "core/units.h"
 #include "maps/error_bars.h"
 #include "spectrum/illuminant.h"
@@ -170,9 +171,8 @@ Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wa
     POL_EXPECTS(wavelength < image.wavelengths_nm.size());
     double d65 = 1.0;
     if (info(quantity).is_over_d65) {
-        const Result<double> known = d65_at(image.wavelengths_nm[wavelength]);
-        if (!known) return known.error();
-        d65 = known.value();
+        POL_TRY(const auto known, d65_at(image.wavelengths_nm[wavelength]));
+        d65 = known;
     }
     Map map{quantity, image.wavelengths_nm[wavelength], false, image.width, image.height, {}};
     map.pixels.reserve(image.pixel_count());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "geometry/overlap.h"
 #include "plan/compile_media.h"
 #include "plan/covers.h"
@@ -100,7 +101,7 @@ public:
                                "use fewer overlapping solids");
         }
         for (Region& region : plan_.regions) {
-            if (auto done = list_candidates(region); !done) return done.error();
+            POL_TRY_DONE(list_candidates(region));
         }
         return Done{};
     }
@@ -165,9 +166,8 @@ private:
         if (region.caster_inside.size() > max_nested_meshes)
             return refusal(region, "is nested with other meshes more than 8 deep",
                            "flat convex solids and spheres may be");
-        auto caster = RayCaster::build(std::move(meshes));
-        if (!caster) return caster.error();
-        region.caster = std::make_unique<const RayCaster>(std::move(caster).value());
+        POL_TRY(auto caster, RayCaster::build(std::move(meshes)));
+        region.caster = std::make_unique<const RayCaster>(std::move(caster));
         return Done{};
     }
 
@@ -181,10 +181,9 @@ private:
 }  // namespace
 
 Result<Done> arrange(const Scene& scene, Plan& plan) {
-    if (auto done = find_covers(scene, plan); !done) return done.error();
-    const auto relations = relate(scene, plan);
-    if (!relations) return relations.error();
-    return RegionBuilder(scene, relations.value(), plan).build();
+    POL_TRY_DONE(find_covers(scene, plan));
+    POL_TRY(const auto relations, relate(scene, plan));
+    return RegionBuilder(scene, relations, plan).build();
 }
 
 Kernel Plan::kernel() const {

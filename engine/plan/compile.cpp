@@ -10,6 +10,7 @@
 
 #include "core/overloaded.h"
 #include "core/random.h"
+#include "core/result.h"
 #include "geometry/mesh_check.h"
 #include "geometry/shapes.h"
 #include "plan/arrangement.h"
@@ -39,29 +40,25 @@ constexpr std::size_t most_half_spaces = 4096;
 using SolidShape = std::variant<HalfSpaceSolid, Sphere, MeshBody>;
 
 Result<SolidShape> from_mesh(const Mesh& object_mesh, const DMat4& to_world, SolidKernel kernel) {
-    auto mesh = transformed(object_mesh, to_world);
-    if (!mesh) return mesh.error();
-    const bool closed = static_cast<bool>(check_closed(mesh.value()));
-    const bool few = mesh.value().facets.size() <= most_half_spaces;
-    if (kernel == SolidKernel::half_spaces && closed && few && is_convex(mesh.value())) {
-        auto solid = HalfSpaceSolid::from_mesh(std::move(mesh).value());
-        if (!solid) return solid.error();
-        return SolidShape{std::move(solid).value()};
+    POL_TRY(auto mesh, transformed(object_mesh, to_world));
+    const bool closed = static_cast<bool>(check_closed(mesh));
+    const bool few = mesh.facets.size() <= most_half_spaces;
+    if (kernel == SolidKernel::half_spaces && closed && few && is_convex(mesh)) {
+        POL_TRY(auto solid, HalfSpaceSolid::from_mesh(std::move(mesh)));
+        return SolidShape{std::move(solid)};
     }
-    return SolidShape{MeshBody{std::move(mesh).value(), closed}};
+    return SolidShape{MeshBody{std::move(mesh), closed}};
 }
 
 Result<SolidShape> solid_shape(const Object& object, SolidKernel kernel) {
     if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
-        auto made = make_sphere(*sphere, object.to_world);
-        if (!made) return made.error();
-        return SolidShape{made.value()};
+        POL_TRY(auto made, make_sphere(*sphere, object.to_world));
+        return SolidShape{made};
     }
     if (const auto* file = std::get_if<MeshShape>(&object.shape))
         return from_mesh(*file->mesh, object.to_world, kernel);
-    auto mesh = make_mesh(object.shape);
-    if (!mesh) return mesh.error();
-    return from_mesh(mesh.value(), object.to_world, kernel);
+    POL_TRY(auto mesh, make_mesh(object.shape));
+    return from_mesh(mesh, object.to_world, kernel);
 }
 
 /// By facet, as from_mesh() keeps them: whether it looks along one of `directions`, to a milliradian (what three digits
@@ -78,9 +75,8 @@ Result<std::vector<bool>> black_facets(const Shape& shape, const std::vector<DVe
     if (const auto* file = std::get_if<MeshShape>(&shape)) {
         facets = file->mesh->facets;
     } else {
-        auto mesh = make_mesh(shape);
-        if (!mesh) return mesh.error();
-        facets = std::move(mesh.value().facets);
+        POL_TRY(auto mesh, make_mesh(shape));
+        facets = std::move(mesh.facets);
     }
     std::vector<bool> black(facets.size(), false);
     for (const DVec3& given : directions) {
@@ -130,23 +126,20 @@ Result<Done> add_solid(const Scene& scene, const Object& object, int index, cons
 Result<Done> add_surface(const Scene& scene, const Object& object, int index, SolidKernel kernel, Plan& plan) {
     Surface surface{object.name, index, Sphere{}, AbsorberRole{}};
     const auto open = [&](const auto& shape) -> Result<Done> {
-        auto made = OpenSurface::from(shape, object.to_world);
-        if (!made) return made.error();
-        surface.shape = made.value();
+        POL_TRY(auto made, OpenSurface::from(shape, object.to_world));
+        surface.shape = made;
         return Done{};
     };
-    const Result<Done> shaped =
-        std::visit(Overloaded{
-                       [&](const RectangleShape& s) { return open(s); },
-                       [&](const DiskShape& s) { return open(s); },
-                       [&](const auto&) -> Result<Done> {
-                           auto shape = solid_shape(object, kernel);
-                           if (!shape) return shape.error();
-                           std::visit([&](auto& s) { surface.shape = std::move(s); }, shape.value());
-                           return Done{};
-                       },
-                   },
-                   object.shape);
+    const Result<Done> shaped = std::visit(Overloaded{
+                                               [&](const RectangleShape& s) { return open(s); },
+                                               [&](const DiskShape& s) { return open(s); },
+                                               [&](const auto&) -> Result<Done> {
+                                                   POL_TRY(auto shape, solid_shape(object, kernel));
+                                                   std::visit([&](auto& s) { surface.shape = std::move(s); }, shape);
+                                                   return Done{};
+                                               },
+                                           },
+                                           object.shape);
     if (!shaped) return at_object(shaped.error(), scene, index);
     if (const auto* sheet = std::get_if<Sheet>(&object.role)) {
         if (std::holds_alternative<HalfSpaceSolid>(surface.shape) || std::holds_alternative<Sphere>(surface.shape))
@@ -182,17 +175,15 @@ std::uint32_t key_of(const std::vector<MediumAt>& media, const std::vector<Diele
 Result<Done> group_wavelengths(const Scene& scene, const MediaTable& media, Plan& plan) {
     plan.medium_names = media.names();
     for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
-        auto at = media.at(plan.wavelengths_nm[w]);
-        if (!at) return at.error();
-        const auto plates = plate_crystals(scene, plan, plan.wavelengths_nm[w]);
-        if (!plates) return plates.error();
+        POL_TRY(auto at, media.at(plan.wavelengths_nm[w]));
+        POL_TRY(const auto plates, plate_crystals(scene, plan, plan.wavelengths_nm[w]));
         std::size_t group = 0;
         while (group < plan.groups.size() &&
-               !(plan.groups[group].media == at.value() && same_plates(plan, static_cast<int>(group), plates.value())))
+               !(plan.groups[group].media == at && same_plates(plan, static_cast<int>(group), plates)))
             ++group;
         if (group == plan.groups.size()) {
-            plan.groups.push_back({{}, at.value(), key_of(at.value(), plates.value())});
-            append_plates(plan, plates.value());
+            plan.groups.push_back({{}, at, key_of(at, plates)});
+            append_plates(plan, plates);
         }
         plan.groups[group].wavelengths.push_back(static_cast<int>(w));
         plan.group_of_wavelength.push_back(static_cast<int>(group));
@@ -306,18 +297,16 @@ Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kern
 
     MediaTable media(scene);
     if (!scene.ambient.empty()) {
-        const auto ambient = media.entry(scene.ambient, DMat4(1.0));
-        if (!ambient) return ambient.error();
+        POL_TRY_DONE(media.entry(scene.ambient, DMat4(1.0)));
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const auto* filling = std::get_if<FilledWith>(&object.role);
-        auto done = filling != nullptr ? add_solid(scene, object, static_cast<int>(i), *filling, kernel, media, *plan)
-                                       : add_surface(scene, object, static_cast<int>(i), kernel, *plan);
-        if (!done) return done.error();
+        POL_TRY_DONE(filling != nullptr ? add_solid(scene, object, static_cast<int>(i), *filling, kernel, media, *plan)
+                                        : add_surface(scene, object, static_cast<int>(i), kernel, *plan));
     }
     plan->length_scale = extent(*plan);
-    if (auto done = group_wavelengths(scene, media, *plan); !done) return done.error();
+    POL_TRY_DONE(group_wavelengths(scene, media, *plan));
     if (plan->groups[0].media[0].dielectric.kind != MediumKind::isotropic)
         return Error{ErrorKind::input, "the ambient medium must be isotropic", {}, "ambient", {}};
     for (const WavelengthGroup& group : plan->groups)
@@ -327,9 +316,9 @@ Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kern
                          {},
                          "ambient",
                          "a camera needs a medium whose k is below 0.01"};
-    if (auto done = arrange(scene, *plan); !done) return done.error();
-    if (auto done = place_camera(scene, *plan); !done) return done.error();
-    if (auto done = compile_light(scene, *plan); !done) return done.error();
+    POL_TRY_DONE(arrange(scene, *plan));
+    POL_TRY_DONE(place_camera(scene, *plan));
+    POL_TRY_DONE(compile_light(scene, *plan));
     plan->features = list_features(scene, *plan);
     return std::shared_ptr<const Plan>(std::move(plan));
 }

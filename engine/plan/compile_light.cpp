@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "plan/compile_media.h"
 #include "scene/place.h"
 #include "spectrum/illuminant.h"
@@ -100,9 +101,8 @@ Result<CompiledRadiance> compile_radiance(const Radiance& radiance, const std::v
     CompiledRadiance out;
     if (const auto* spectrum = std::get_if<Spectrum>(&radiance)) {
         for (const double nm : wavelengths) {
-            const auto value = evaluate(*spectrum, nm);
-            if (!value) return value.error();
-            out.largest.push_back(value.value());
+            POL_TRY(const auto value, evaluate(*spectrum, nm));
+            out.largest.push_back(value);
         }
         out.radiance = out.largest;
         return out;
@@ -110,9 +110,8 @@ Result<CompiledRadiance> compile_radiance(const Radiance& radiance, const std::v
     const auto& textured = std::get<TexturedRadiance>(radiance);
     PlanTexture texture{textured.image, {}};
     for (const double nm : wavelengths) {
-        const auto basis = rgb_basis_at(nm);
-        if (!basis) return basis.error();
-        for (std::size_t c = 0; c < 3; ++c) texture.basis[c].push_back(textured.scale * basis.value()[c]);
+        POL_TRY(const auto basis, rgb_basis_at(nm));
+        for (std::size_t c = 0; c < 3; ++c) texture.basis[c].push_back(textured.scale * basis[c]);
     }
     for (std::size_t w = 0; w < wavelengths.size(); ++w) {
         double largest = 0.0;
@@ -215,7 +214,7 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
         emitter.two_sided = emission.two_sided;
         if (!std::holds_alternative<Unpolarized>(emission.state)) {
             const int body = plan.solid_count() + static_cast<int>(i);
-            if (auto done = refuse_polarized_in_crystal(scene, plan, body, index); !done) return done.error();
+            POL_TRY_DONE(refuse_polarized_in_crystal(scene, plan, body, index));
         }
         if (const auto* fixed = std::get_if<FixedState>(&emission.state)) {
             const DVec3 x_axis = direction_to_world(object.to_world, fixed->x_axis);

@@ -8,6 +8,7 @@
 
 #include "core/number_text.h"
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "core/units.h"
 #include "scene/place.h"
 #include "spectrum/illuminant.h"
@@ -27,35 +28,29 @@ double extinction_of(double alpha, double wavelength_nm, double unit_nm) {
 }
 
 Result<MediumAt> isotropic_at(const IsotropicMedium& matter, double nm, double unit_nm) {
-    const auto index = index_at(matter.index, nm);
-    if (!index) return index.error();
-    const auto alpha = evaluate(matter.absorption, nm);
-    if (!alpha) return alpha.error();
-    const double total = alpha.value() + absorption_of(index.value().k, nm, unit_nm);
-    const double kappa = index.value().k + extinction_of(alpha.value(), nm, unit_nm);
-    return MediumAt{make_isotropic(index.value().n, kappa), {total, total}};
+    POL_TRY(const auto index, index_at(matter.index, nm));
+    POL_TRY(const auto alpha, evaluate(matter.absorption, nm));
+    const double total = alpha + absorption_of(index.k, nm, unit_nm);
+    const double kappa = index.k + extinction_of(alpha, nm, unit_nm);
+    return MediumAt{make_isotropic(index.n, kappa), {total, total}};
 }
 
 Result<MediumAt> uniaxial_at(const UniaxialMedium& matter, const DVec3& axis_world, double nm, double unit_nm) {
-    const auto n_o = index_at(matter.ordinary, nm);
-    if (!n_o) return n_o.error();
-    const auto n_e = index_at(matter.extraordinary, nm);
-    if (!n_e) return n_e.error();
-    const auto alpha_o = evaluate(matter.absorption_o, nm);
-    if (!alpha_o) return alpha_o.error();
-    const auto alpha_e = evaluate(matter.absorption_e, nm);
-    if (!alpha_e) return alpha_e.error();
-    const AbsorptionAt absorption{alpha_o.value() + absorption_of(n_o.value().k, nm, unit_nm),
-                                  alpha_e.value() + absorption_of(n_e.value().k, nm, unit_nm)};
-    if (n_o.value().n == n_e.value().n && absorption.ordinary != absorption.extraordinary)
+    POL_TRY(const auto n_o, index_at(matter.ordinary, nm));
+    POL_TRY(const auto n_e, index_at(matter.extraordinary, nm));
+    POL_TRY(const auto alpha_o, evaluate(matter.absorption_o, nm));
+    POL_TRY(const auto alpha_e, evaluate(matter.absorption_e, nm));
+    const AbsorptionAt absorption{alpha_o + absorption_of(n_o.k, nm, unit_nm),
+                                  alpha_e + absorption_of(n_e.k, nm, unit_nm)};
+    if (n_o.n == n_e.n && absorption.ordinary != absorption.extraordinary)
         return Error{ErrorKind::input,
                      "a crystal with equal indices cannot absorb its two rays differently",
                      {},
                      {},
                      "the two rays do not exist without birefringence; give absorption_o = absorption_e"};
-    const double kappa = std::max(n_o.value().k + extinction_of(alpha_o.value(), nm, unit_nm),
-                                  n_e.value().k + extinction_of(alpha_e.value(), nm, unit_nm));
-    if (n_o.value().n == n_e.value().n) return MediumAt{make_isotropic(n_o.value().n, kappa), absorption};
+    const double kappa =
+        std::max(n_o.k + extinction_of(alpha_o, nm, unit_nm), n_e.k + extinction_of(alpha_e, nm, unit_nm));
+    if (n_o.n == n_e.n) return MediumAt{make_isotropic(n_o.n, kappa), absorption};
     if (kappa >= strongest_crystal_extinction)
         return Error{ErrorKind::input,
                      "an extinction k = " + number_text(kappa) + " at " + number_text(nm) +
@@ -64,7 +59,7 @@ Result<MediumAt> uniaxial_at(const UniaxialMedium& matter, const DVec3& axis_wor
                      {},
                      "k (or absorption * lambda / 4 pi) below " + number_text(strongest_crystal_extinction) +
                          "; a metal or opaque matter is written {conductor: [n, k]}"};
-    return MediumAt{make_uniaxial(n_o.value().n, n_e.value().n, axis_world), absorption};
+    return MediumAt{make_uniaxial(n_o.n, n_e.n, axis_world), absorption};
 }
 
 }  // namespace
@@ -74,9 +69,8 @@ Result<MediumAt> medium_at(const Medium& medium, const DVec3& axis_world, double
                           [&](const IsotropicMedium& m) { return isotropic_at(m, wavelength_nm, unit_nm); },
                           [&](const UniaxialMedium& m) { return uniaxial_at(m, axis_world, wavelength_nm, unit_nm); },
                           [&](const ConductorMedium& m) -> Result<MediumAt> {
-                              const auto index = index_at(m.index, wavelength_nm);
-                              if (!index) return index.error();
-                              return MediumAt{make_conductor(index.value().n, index.value().k), {}};
+                              POL_TRY(const auto index, index_at(m.index, wavelength_nm));
+                              return MediumAt{make_conductor(index.n, index.k), {}};
                           },
                       },
                       medium.matter);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "geometry/facet_contact.h"
 #include "plan/compile_media.h"
 #include "plan/reach.h"
@@ -101,7 +102,7 @@ void add_contact(Solid& solid, std::vector<std::vector<Contact>> Solid::*list, i
 Result<Done> find_covers(const Scene& scene, Plan& plan) {
     std::vector<Boundary> boundaries;
     for (const Surface& surface : plan.surfaces) boundaries.push_back(boundary_of(surface.shape));
-    if (auto done = refuse_coincident(scene, plan, boundaries); !done) return done.error();
+    POL_TRY_DONE(refuse_coincident(scene, plan, boundaries));
     for (Solid& solid : plan.solids) {
         if (std::holds_alternative<Sphere>(solid.shape)) continue;
         const auto* half_spaces = std::get_if<HalfSpaceSolid>(&solid.shape);

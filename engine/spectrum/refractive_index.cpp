@@ -8,6 +8,7 @@
 
 #include "core/number_text.h"
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "spectrum/interpolation.h"
 
 namespace pol {
@@ -150,12 +151,11 @@ Result<double> value_of_blocks(const std::string& name, const std::string& what,
     const Result<double> found = value(*reaching.front());
     for (const Block* block : reaching) {
         if (!found) break;
-        const Result<double> other = value(*block);
-        if (!other) return other.error();
-        if (other.value() != found.value())
+        POL_TRY(const auto other, value(*block));
+        if (other != found.value())
             return bad_row(name,
-                           what + " = " + number_text(found.value()) + " in one block and " +
-                               number_text(other.value()) + " in another at " + number_text(nm) + " nm",
+                           what + " = " + number_text(found.value()) + " in one block and " + number_text(other) +
+                               " in another at " + number_text(nm) + " nm",
                            "only one can be right");
     }
     return found;

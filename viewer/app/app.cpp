@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/result.h"
 #include "viewer/app/app_probe.h"
 #include "viewer/app/app_window.h"
 #include "viewer/app/frame_pacer.h"
@@ -181,14 +182,12 @@ Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppO
     WindowState& state = session.change_window();
     state.theme = options.theme.value_or(state.theme);
     state.ui_scale = options.ui_scale.value_or(state.ui_scale);
-    if (const auto opened = open_all(session, files); !opened) return opened.error();
-    auto window = AppWindow::open(session, options);
-    if (!window) return window.error();
-    auto picture = PictureRenderer::create();
-    if (!picture) return picture.error();
+    POL_TRY_DONE(open_all(session, files));
+    POL_TRY(auto window, AppWindow::open(session, options));
+    POL_TRY(auto picture, PictureRenderer::create());
     std::optional<AppProbe> probe;
     if (!options.probe.empty()) probe.emplace(options.probe);
-    EventLoop(*library.value(), *window.value(), session, *picture.value(), probe ? &*probe : nullptr).run(signals);
+    EventLoop(*library.value(), *window, session, *picture, probe ? &*probe : nullptr).run(signals);
     if (remembered.empty()) return Done{};
     // Nothing of the user's work: no reason to fail.
     if (const auto written = write_preferences(preferences_of(session), remembered); !written)

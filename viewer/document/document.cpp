@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/contract.h"
+#include "core/result.h"
 #include "io/files/assets.h"
 #include "io/files/output_file.h"
 #include "io/pictures/exr_file.h"
@@ -92,19 +93,16 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
     document->name_ = path.filename().string();
     document->watch_ = FileWatch({document->path_});
     if (is_picture(path)) {
-        auto picture = read_exr(path);
-        if (!picture) return picture.error();
-        document->show(std::make_shared<StokesImage>(std::move(picture).value()));
+        POL_TRY(auto picture, read_exr(path));
+        document->show(std::make_shared<StokesImage>(std::move(picture)));
         return document;
     }
-    auto text = read_scene_text(path);
-    if (!text) return text.error();
-    auto scene = parse_scene(text.value(), path.string(), path.parent_path());
-    if (!scene) return scene.error();
-    document->source_ = Source{std::move(text).value(), scene.value(), document->path_};
+    POL_TRY(auto text, read_scene_text(path));
+    POL_TRY(auto scene, parse_scene(text, path.string(), path.parent_path()));
+    document->source_ = Source{std::move(text), scene, document->path_};
     document->renderer_ = start_workers(std::move(wake));
-    if (auto started = document->render(scene.value()); !started) return started.error();
-    document->history_ = EditHistory(std::move(scene).value());
+    POL_TRY_DONE(document->render(scene));
+    document->history_ = EditHistory(std::move(scene));
     document->watch_files();
     return document;
 }
@@ -113,7 +111,7 @@ Result<std::unique_ptr<Document>> Document::make(Scene scene, std::string name, 
     std::unique_ptr<Document> document(new Document);
     document->name_ = std::move(name);
     document->renderer_ = start_workers(std::move(wake));
-    if (auto started = document->render(scene); !started) return started.error();
+    POL_TRY_DONE(document->render(scene));
     document->history_ = EditHistory(std::move(scene));
     return document;
 }
@@ -133,9 +131,8 @@ Result<std::unique_ptr<Document>> Document::of_fact(const verify::Fact& fact, st
 Document::~Document() = default;
 
 Result<Done> Document::render(const Scene& scene) {
-    auto plan = compile(scene);
-    if (!plan) return plan.error();
-    plan_ = std::move(plan).value();
+    POL_TRY(auto plan, compile(scene));
+    plan_ = std::move(plan);
     start();
     return Done{};
 }
@@ -314,7 +311,7 @@ Result<Document::Saved> Document::save(const std::filesystem::path& path, Rewrit
     const bool is_own = target == path_ && std::filesystem::exists(target, unknown);
     if (is_own && (loses_text || is_other_text(target, source_->text))) {
         if (rewrite == Rewrite::ask) return Saved::asks;
-        if (auto kept = keep_backup(target); !kept) return kept.error();
+        POL_TRY_DONE(keep_backup(target));
     }
     if (!text) text = save_scene(scene(), target.parent_path());
     const auto read = parse_scene(*text, target.string(), target.parent_path());
@@ -325,7 +322,7 @@ Result<Document::Saved> Document::save(const std::filesystem::path& path, Rewrit
                      {target.string()},
                      {},
                      "choose another folder: files beside it may have the names of files that the scene needs"};
-    if (auto written = write_file(target, *text); !written) return written.error();
+    POL_TRY_DONE(write_file(target, *text));
     source_ = Source{std::move(*text), scene(), target};
     path_ = target;
     name_ = path_.filename().string();

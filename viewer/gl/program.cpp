@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/result.h"
+
 namespace pol {
 
 namespace {
@@ -55,9 +57,9 @@ Result<Done> compile(const Shader& shader, std::string_view stage, std::initiali
 Result<Program> Program::link(std::initializer_list<std::string_view> vertex,
                               std::initializer_list<std::string_view> fragment) {
     const Shader vertex_shader(GL_VERTEX_SHADER);
-    if (const auto compiled = compile(vertex_shader, "vertex", vertex); !compiled) return compiled.error();
+    POL_TRY_DONE(compile(vertex_shader, "vertex", vertex));
     const Shader fragment_shader(GL_FRAGMENT_SHADER);
-    if (const auto compiled = compile(fragment_shader, "fragment", fragment); !compiled) return compiled.error();
+    POL_TRY_DONE(compile(fragment_shader, "fragment", fragment));
 
     Program program(glCreateProgram());
     glAttachShader(program.id_, vertex_shader.id());

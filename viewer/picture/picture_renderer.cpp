@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/contract.h"
+#include "core/result.h"
 #include "maps/evaluate.h"
 #include "spectrum/illuminant.h"
 #include "viewer/gl/program.h"
@@ -222,9 +223,8 @@ PictureRenderer::~PictureRenderer() = default;
 Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create() {
     auto gpu = std::make_unique<Gpu>();
     const Variant first{};
-    auto program = program_for(first);
-    if (!program) return program.error();
-    gpu->programs.emplace(first, std::move(program).value());
+    POL_TRY(auto program, program_for(first));
+    gpu->programs.emplace(first, std::move(program));
     return std::unique_ptr<PictureRenderer>(new PictureRenderer(std::move(gpu)));
 }
 

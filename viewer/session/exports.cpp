@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/result.h"
 #include "core/units.h"
 #include "io/files/output_file.h"
 #include "io/pictures/exr_file.h"
@@ -113,15 +114,14 @@ Result<Done> write_map(const StokesImage& picture, const ViewSettings& view, con
     const StokesImage seen =
         seen_behind(picture, polarimeter, view.convention, needs_all ? std::nullopt : std::optional(view.wavelength));
     progress = 0.2;
-    auto map = reference ? Result<ColoredMap>(colorize(difference_map(picture, view, polarimeter, *reference), options))
-                         : draw_map(seen, view.quantity, needs_all ? view.wavelength : 0, options);
-    if (!map) return map.error();
-    if (view.over_intensity && !is_color) lay_over_intensity(map.value().picture, seen, options);
+    POL_TRY(auto map,
+            reference ? Result<ColoredMap>(colorize(difference_map(picture, view, polarimeter, *reference), options))
+                      : draw_map(seen, view.quantity, needs_all ? view.wavelength : 0, options));
+    if (view.over_intensity && !is_color) lay_over_intensity(map.picture, seen, options);
     progress = 0.5;
-    const auto drawn = map_picture(map.value(), caption);
-    if (!drawn) return drawn.error();
+    POL_TRY(const auto drawn, map_picture(map, caption));
     progress = 0.8;
-    return write_png(drawn.value(), path);
+    return write_png(drawn, path);
 }
 
 /// Which pixels are meant: those that are marked, else those of the region; empty: all.
@@ -138,8 +138,7 @@ std::vector<bool> wanted_pixels(const Selection& selection, const StokesImage& p
 /// how S2, S3 and the angles are labeled.
 Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& wanted, const Polarimeter& polarimeter,
                           const Convention& convention, const fs::path& path, ExportProgress& progress) {
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
+    POL_TRY(auto file, OutputFile::create(path));
     std::string text =
         "x,y,wavelength_nm,S0,S1,S2,S3,dop,azimuth_deg,ellipticity_angle_deg,residual,tail,samples,"
         "convention\n";
@@ -166,11 +165,11 @@ Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& w
                                picture.samples.empty() ? "" : fmt::to_string(picture.samples[pixel]), labels);
             }
         }
-        file.value()->write(text.data(), text.size());
+        file->write(text.data(), text.size());
         text.clear();
         progress = static_cast<double>(y + 1) / picture.height;
     }
-    return file.value()->commit();
+    return file->commit();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/result.h"
 #include "io/files/input_file.h"
 #include "io/files/output_file.h"
 
@@ -58,10 +59,9 @@ fs::path preferences_path() {
 Result<Preferences> read_preferences(const fs::path& path) {
     std::error_code ignored;
     if (path.empty() || !fs::exists(path, ignored)) return Preferences{};
-    const auto text = read_input_file(path, max_bytes);
-    if (!text) return text.error();
+    POL_TRY(const auto text, read_input_file(path, max_bytes));
     try {
-        return from_json(json::parse(text.value()));
+        return from_json(json::parse(text));
     } catch (const json::exception& exception) {
         return Error{ErrorKind::input,
                      std::string("cannot be read: ") + exception.what(),

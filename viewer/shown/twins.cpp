@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "spectrum/illuminant.h"
 #include "spectrum/refractive_index.h"
 
@@ -31,12 +32,10 @@ bool is_constant(const Spectrum& spectrum) {
 Result<RefractiveIndex> mean_index(const UniaxialMedium& crystal, const std::vector<double>& wavelengths_nm) {
     IndexTable table;
     for (const double nm : wavelengths_nm) {
-        const auto o = index_at(crystal.ordinary, nm);
-        if (!o) return o.error();
-        const auto e = index_at(crystal.extraordinary, nm);
-        if (!e) return e.error();
-        const double n_o = o.value().n;
-        const double n_e = e.value().n;
+        POL_TRY(const auto o, index_at(crystal.ordinary, nm));
+        POL_TRY(const auto e, index_at(crystal.extraordinary, nm));
+        const double n_o = o.n;
+        const double n_e = e.n;
         table.wavelength_nm.push_back(nm);
         table.value.push_back(std::sqrt((2.0 * n_o * n_o + n_e * n_e) / 3.0));
     }
@@ -48,12 +47,10 @@ Result<RefractiveIndex> mean_index(const UniaxialMedium& crystal, const std::vec
 Result<Spectrum> mean_absorption(const UniaxialMedium& crystal, const std::vector<double>& wavelengths_nm) {
     TabulatedSpectrum table;
     for (const double nm : wavelengths_nm) {
-        const auto o = evaluate(crystal.absorption_o, nm);
-        if (!o) return o.error();
-        const auto e = evaluate(crystal.absorption_e, nm);
-        if (!e) return e.error();
+        POL_TRY(const auto o, evaluate(crystal.absorption_o, nm));
+        POL_TRY(const auto e, evaluate(crystal.absorption_e, nm));
         table.wavelength_nm.push_back(nm);
-        table.value.push_back((2.0 * o.value() + e.value()) / 3.0);
+        table.value.push_back((2.0 * o + e) / 3.0);
     }
     const bool varies = !(is_constant(crystal.absorption_o) && is_constant(crystal.absorption_e));
     if (!varies || wavelengths_nm.size() == 1) return Spectrum{ConstantSpectrum{table.value[0]}};
@@ -61,11 +58,9 @@ Result<Spectrum> mean_absorption(const UniaxialMedium& crystal, const std::vecto
 }
 
 Result<Matter> glass_for(const UniaxialMedium& crystal, const std::vector<double>& wavelengths_nm) {
-    auto index = mean_index(crystal, wavelengths_nm);
-    if (!index) return index.error();
-    auto absorption = mean_absorption(crystal, wavelengths_nm);
-    if (!absorption) return absorption.error();
-    return Matter{IsotropicMedium{std::move(index).value(), std::move(absorption).value()}};
+    POL_TRY(auto index, mean_index(crystal, wavelengths_nm));
+    POL_TRY(auto absorption, mean_absorption(crystal, wavelengths_nm));
+    return Matter{IsotropicMedium{std::move(index), std::move(absorption)}};
 }
 
 Result<Matter> without_birefringence(const Matter& matter, const std::vector<double>& wavelengths_nm) {
@@ -100,10 +95,9 @@ Result<Scene> isotropic_twin(const Scene& scene) {
         return Error{ErrorKind::usage, "the scene has no crystal to replace by glass"};
     Scene twin = scene;
     for (std::size_t i = 0; i < scene.media.size(); ++i) {
-        auto matter = without_birefringence(scene.media[i].matter, scene.render.wavelengths_nm);
-        if (!matter) return matter.error();
+        POL_TRY(auto matter, without_birefringence(scene.media[i].matter, scene.render.wavelengths_nm));
         if (is_crystal(scene.media[i])) keep_plates(twin, scene.media[i]);
-        twin.media[i].matter = std::move(matter).value();
+        twin.media[i].matter = std::move(matter);
     }
     return twin;
 }

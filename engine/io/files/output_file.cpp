@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/files/output_file.h"
+#include "core/result.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -157,10 +158,9 @@ Result<Done> OutputFile::commit() {
 }
 
 Result<Done> write_file(const std::filesystem::path& path, std::string_view text) {
-    auto file = OutputFile::create(path);
-    if (!file) return file.error();
-    file.value()->write(text.data(), text.size());
-    return file.value()->commit();
+    POL_TRY(auto file, OutputFile::create(path));
+    file->write(text.data(), text.size());
+    return file->commit();
 }
 
 }  // namespace pol

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "core/result.h"
 #include "io/meshes/polygon_soup.h"
 
 namespace pol {
@@ -120,20 +121,18 @@ Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int inde
         negative(sparse.values.byteOffset))
         return bad(name + " has a broken sparse part");
     const auto count = static_cast<std::size_t>(sparse.count);
-    const Result<View> places = view_of(model, sparse.indices.bufferView,
-                                        static_cast<std::size_t>(sparse.indices.byteOffset), count, place->size, name);
-    if (!places) return places.error();
-    const Result<View> values = view_of(model, sparse.values.bufferView,
-                                        static_cast<std::size_t>(sparse.values.byteOffset), count, element_size, name);
-    if (!values) return values.error();
+    POL_TRY(const auto places, view_of(model, sparse.indices.bufferView,
+                                       static_cast<std::size_t>(sparse.indices.byteOffset), count, place->size, name));
+    POL_TRY(const auto values, view_of(model, sparse.values.bufferView,
+                                       static_cast<std::size_t>(sparse.values.byteOffset), count, element_size, name));
     double before = -1.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double at = place->read(places.value().bytes, places.value().start + i * places.value().stride);
+        const double at = place->read(places.bytes, places.start + i * places.stride);
         if (!(at < static_cast<double>(accessor.count))) return bad(name + " has a sparse element beyond its end");
         if (!(at > before)) return bad(name + " has sparse elements that do not ascend");
         before = at;
         for (std::size_t part = 0; part < parts; ++part)
-            numbers[static_cast<std::size_t>(at) * parts + part] = number(values.value(), i, part);
+            numbers[static_cast<std::size_t>(at) * parts + part] = number(values, i, part);
     }
     return numbers;
 }
@@ -205,17 +204,15 @@ std::optional<Error> add_primitive(const tinygltf::Model& model, const tinygltf:
     }
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) return bad("a primitive has no POSITION");
-    const auto points = read_accessor(model, position->second, position_types, 3);
-    if (!points) return points.error();
-    const std::size_t count = points.value().size() / 3;
+    POL_TRY(const auto points, read_accessor(model, position->second, position_types, 3));
+    const std::size_t count = points.size() / 3;
 
     std::vector<std::uint32_t> indices;
     if (primitive.indices < 0) {
         for (std::size_t i = 0; i < count; ++i) indices.push_back(static_cast<std::uint32_t>(i));
     } else {
-        const auto given = read_accessor(model, primitive.indices, index_types, 1);
-        if (!given) return given.error();
-        for (const double index : given.value()) {
+        POL_TRY(const auto given, read_accessor(model, primitive.indices, index_types, 1));
+        for (const double index : given) {
             if (!(index < static_cast<double>(count))) {
                 return bad("index " + std::to_string(indices.size()) + " names vertex " +
                            std::to_string(static_cast<std::uint32_t>(index)) + " of " + std::to_string(count));
@@ -223,9 +220,8 @@ std::optional<Error> add_primitive(const tinygltf::Model& model, const tinygltf:
             indices.push_back(static_cast<std::uint32_t>(index));
         }
     }
-    const auto corners = triangle_corners(primitive, indices);
-    if (!corners) return corners.error();
-    if (soup.corners.size() + corners.value().size() > 3 * most_triangles) {
+    POL_TRY(const auto corners, triangle_corners(primitive, indices));
+    if (soup.corners.size() + corners.size() > 3 * most_triangles) {
         return mesh_error("more than 10 million triangles", 0, "simplify the model");
     }
     if (soup.vertices.size() + count > 3 * most_triangles) {
@@ -233,15 +229,15 @@ std::optional<Error> add_primitive(const tinygltf::Model& model, const tinygltf:
     }
     const auto first = static_cast<std::uint32_t>(soup.vertices.size());
     for (std::size_t i = 0; i < count; ++i) {
-        const double* p = &points.value()[3 * i];
+        const double* p = &points[3 * i];
         soup.vertices.push_back(DMat3(to_world) * DVec3(p[0], p[1], p[2]) + DVec3(to_world[3]));
     }
     // glTF 2.0, 3.7.4: a mirroring transform turns the sense of rotation round.
     const bool mirrored = glm::determinant(DMat3(to_world)) < 0.0;
-    for (std::size_t i = 0; i < corners.value().size(); i += 3) {
-        soup.corners.push_back(first + corners.value()[i]);
-        soup.corners.push_back(first + corners.value()[mirrored ? i + 2 : i + 1]);
-        soup.corners.push_back(first + corners.value()[mirrored ? i + 1 : i + 2]);
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        soup.corners.push_back(first + corners[i]);
+        soup.corners.push_back(first + corners[mirrored ? i + 2 : i + 1]);
+        soup.corners.push_back(first + corners[mirrored ? i + 1 : i + 2]);
         soup.last.push_back(static_cast<std::uint32_t>(soup.corners.size()));
     }
     return std::nullopt;
@@ -270,9 +266,8 @@ std::optional<Error> add_node(const tinygltf::Model& model, int index, const DMa
     // Nodes form trees: more visits than nodes means a loop or a shared child.
     if (++visited > model.nodes.size() || depth > 1000) return bad("the nodes do not form a tree");
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
-    const Result<DMat4> own = matrix_of(node);
-    if (!own) return own.error();
-    const DMat4 to_world = parent * own.value();
+    POL_TRY(const auto own, matrix_of(node));
+    const DMat4 to_world = parent * own;
     if (node.mesh >= static_cast<int>(model.meshes.size())) return bad("no such mesh");
     const tinygltf::Mesh* mesh = node.mesh < 0 ? nullptr : &model.meshes[static_cast<std::size_t>(node.mesh)];
     if (auto problem = check_plain(node, mesh)) return problem;
@@ -349,9 +344,8 @@ Result<PolygonSoup> read_gltf(std::string_view bytes, const std::filesystem::pat
         if (!loaded) return bad("not a valid glTF file: " + error.substr(0, error.find('\n')));
         PolygonSoup soup;
         std::size_t visited = 0;
-        const Result<std::vector<int>> roots = root_nodes(model);
-        if (!roots) return roots.error();
-        for (const int node : roots.value()) {
+        POL_TRY(const auto roots, root_nodes(model));
+        for (const int node : roots) {
             if (auto problem = add_node(model, node, DMat4(1.0), 0, visited, soup)) return *problem;
         }
         return soup;

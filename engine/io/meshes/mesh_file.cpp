@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/result.h"
 #include "geometry/mesh_check.h"
 #include "geometry/polygon_cut.h"
 #include "io/files/input_file.h"
@@ -74,10 +75,9 @@ Error located(Error error, const std::filesystem::path& path) {
 
 Result<Mesh> load_mesh(const std::filesystem::path& path) {
     try {
-        const Result<std::string> bytes = read_input_file(path, largest_file);
-        if (!bytes) return bytes.error();
-        Result<PolygonSoup> soup = read_soup(path, bytes.value());
-        if (!soup && is_utf16(bytes.value()))
+        POL_TRY(const auto bytes, read_input_file(path, largest_file));
+        Result<PolygonSoup> soup = read_soup(path, bytes);
+        if (!soup && is_utf16(bytes))
             return located(mesh_error("the file is UTF-16 text", 1, "save it as UTF-8"), path);
         if (!soup) return located(soup.error(), path);
         Result<Mesh> mesh = meshed(std::move(soup).value());

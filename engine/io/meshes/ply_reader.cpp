@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/result.h"
 #include "io/meshes/polygon_soup.h"
 
 namespace pol {
@@ -248,11 +249,10 @@ std::optional<Error> read_row(Body& body, const Element& element, std::size_t ro
 }  // namespace
 
 Result<PolygonSoup> read_ply(std::string_view bytes) {
-    const Result<Header> header = read_header(bytes);
-    if (!header) return header.error();
+    POL_TRY(const auto header, read_header(bytes));
     PolygonSoup soup;
-    Body body(bytes, header.value());
-    for (const Element& element : header.value().elements) {
+    Body body(bytes, header);
+    for (const Element& element : header.elements) {
         if (element.name == "vertex") {
             for (const char* axis : {"x", "y", "z"}) {
                 bool found = false;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/result.h"
 #include "io/pictures/exr_channel.h"
 #include "io/pictures/exr_parts.h"
 
@@ -39,12 +40,11 @@ Result<std::vector<std::string>> share_channels(const std::vector<std::string>& 
                                                 const Layer& stokes) {
     if (std::find(names.begin(), names.end(), layer) != names.end()) return std::vector<std::string>{layer};
     std::vector<std::string> channels;
-    const Result<Layer> found = layer_of(names, layer);
-    if (!found) return found.error();
-    if (found.value().empty()) return channels;
+    POL_TRY(const auto found, layer_of(names, layer));
+    if (found.empty()) return channels;
     for (const auto& [wavelength, name] : stokes) {
-        const auto channel = found.value().find(wavelength);
-        if (channel == found.value().end()) {
+        const auto channel = found.find(wavelength);
+        if (channel == found.end()) {
             return input_error(fmt::format("channel {}.{} is missing", layer, wavelength_suffix(wavelength)),
                                "render it again");
         }
@@ -114,23 +114,19 @@ Result<Layout> layout_of(const Parts& parts) {
     const std::vector<std::string> names = parts.names();
     Layout layout;
     for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
-        Result<Layer> layer = layer_of(names, stokes_layers[s].name);
-        if (!layer) return layer.error();
-        layout.stokes[s] = std::move(layer).value();
+        POL_TRY(auto layer, layer_of(names, stokes_layers[s].name));
+        layout.stokes[s] = std::move(layer);
     }
     if (const auto problem = stokes_problem(layout.stokes, names)) return *problem;
 
-    Result<std::vector<std::string>> residual = share_channels(names, "residual", layout.stokes[0]);
-    if (!residual) return residual.error();
-    layout.residual = residual.value();
-    Result<std::vector<std::string>> tail = share_channels(names, "tail", layout.stokes[0]);
-    if (!tail) return tail.error();
-    layout.tail = tail.value();
+    POL_TRY(auto residual, share_channels(names, "residual", layout.stokes[0]));
+    layout.residual = residual;
+    POL_TRY(auto tail, share_channels(names, "tail", layout.stokes[0]));
+    layout.tail = tail;
     for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
         const std::string layer = std::string(sampling_error_layer) + "." + stokes_layers[s].name;
-        Result<std::vector<std::string>> channels = share_channels(names, layer, layout.stokes[s]);
-        if (!channels) return channels.error();
-        layout.sampling_error[s] = channels.value();
+        POL_TRY(auto channels, share_channels(names, layer, layout.stokes[s]));
+        layout.sampling_error[s] = channels;
         const std::size_t expected = layout.sampling_error[0].empty() ? 0 : layout.stokes[0].size();
         if (layout.sampling_error[s].size() != expected)
             return input_error(fmt::format("{} does not have the channels of {}", layer, stokes_layers[0].name),

@@ -28,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/result.h"
 #include "io/pictures/exr_channel.h"
 #include "io/pictures/exr_file.h"
 #include "io/pictures/exr_header.h"
@@ -154,20 +155,18 @@ double largest_compression(Imf::Compression kind) {
 
 Result<StokesImage> read_picture(Imf::MultiPartInputFile& file, std::uintmax_t file_bytes) {
     const exr::Parts parts(file);
-    const Result<exr::Layout> found = exr::layout_of(parts);
-    if (!found) return found.error();
-    const exr::Layout& layout = found.value();
+    POL_TRY(const auto found, exr::layout_of(parts));
+    const exr::Layout& layout = found;
     const std::vector<std::string> channels = layout.channels();
-    const Result<std::map<std::string, int>> located = parts.locate(channels);
-    if (!located) return located.error();
+    POL_TRY(const auto located, parts.locate(channels));
     double compression = 0.0;
-    for (const auto& [channel, part] : located.value()) {
+    for (const auto& [channel, part] : located) {
         if (!file.partComplete(part))
             return input_error("is incomplete: some scan lines are missing", "was the program that wrote it stopped?");
         compression = std::max(compression, largest_compression(parts.header(part).compression()));
     }
 
-    const Imf::Header& header = parts.header(located.value().at(channels.front()));
+    const Imf::Header& header = parts.header(located.at(channels.front()));
     const Imath::Box2i& window = header.dataWindow();
     const double width = double{1} + window.max.x - window.min.x;
     const double height = double{1} + window.max.y - window.min.y;
@@ -195,7 +194,7 @@ Result<StokesImage> read_picture(Imf::MultiPartInputFile& file, std::uintmax_t f
     const std::size_t pixels = image.pixel_count();
     image.stokes.resize(pixels * image.wavelengths_nm.size());
 
-    PlaneReader reader(image.width, located.value());
+    PlaneReader reader(image.width, located);
     for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
         const auto component = exr::stokes_layers[s].component;
         const double sign = s == 3 && layout.left_handed ? -1.0 : 1.0;

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/contract.h"
+#include "core/result.h"
 #include "io/files/output_file.h"
 #include "io/pictures/exr_channel.h"
 #include "io/pictures/exr_file.h"
@@ -220,9 +221,8 @@ Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& pa
     POL_EXPECTS(image.stokes.size() == image.pixel_count() * image.wavelengths_nm.size());
     POL_EXPECTS(image.brightest.empty() || image.brightest.size() == image.wavelengths_nm.size());
 
-    Result<std::unique_ptr<OutputFile>> created = OutputFile::create(path);
-    if (!created) return created.error();
-    OutputFile& file = *created.value();
+    POL_TRY(auto created, OutputFile::create(path));
+    OutputFile& file = *created;
     std::string complaint;
     try {
         const std::vector<Rgb> preview = color_picture(image);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/contract.h"
+#include "core/result.h"
 #include "io/files/output_file.h"
 
 namespace pol {
@@ -38,16 +39,15 @@ Result<Done> write_png(const RgbPicture& picture, const std::filesystem::path& p
     }
     POL_EXPECTS(picture.pixels.size() ==
                 static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-    Result<std::unique_ptr<OutputFile>> file = OutputFile::create(path);
-    if (!file) return file.error();
+    POL_TRY(auto file, OutputFile::create(path));
     const std::vector<std::uint8_t> bytes = png_bytes(picture);
     if (bytes.empty()) {
         return Error{ErrorKind::output,
                      fmt::format("a picture of {} x {} pixels cannot be encoded as PNG", picture.width, picture.height),
                      Place{path.string()}};
     }
-    file.value()->write(bytes.data(), bytes.size());
-    return file.value()->commit();
+    file->write(bytes.data(), bytes.size());
+    return file->commit();
 }
 
 }  // namespace pol

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/nearest_word.h"
+#include "core/result.h"
 #include "io/files/assets.h"
 #include "io/files/input_file.h"
 #include "io/files/yaml_value.h"
@@ -321,11 +322,9 @@ Result<CrystalIndices> load_crystal(const std::string& name, const fs::path& ass
         if (!is_path(name)) return unknown_record(name, folder, uniaxial[0]);
     }
     const std::string suffix = is_path(name) ? ".yml" : "";
-    Result<RefractiveIndex> ordinary = load_index(name + uniaxial[0] + suffix, assets_dir);
-    if (!ordinary) return ordinary.error();
-    Result<RefractiveIndex> extraordinary = load_index(name + uniaxial[1] + suffix, assets_dir);
-    if (!extraordinary) return extraordinary.error();
-    return CrystalIndices{std::move(ordinary).value(), std::move(extraordinary).value()};
+    POL_TRY(auto ordinary, load_index(name + uniaxial[0] + suffix, assets_dir));
+    POL_TRY(auto extraordinary, load_index(name + uniaxial[1] + suffix, assets_dir));
+    return CrystalIndices{std::move(ordinary), std::move(extraordinary)};
 }
 
 Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::path& assets_dir) {
@@ -343,9 +342,8 @@ Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::pa
         if (!is_path(name_or_path)) return unknown_record(name_or_path, folder, "");
     }
 
-    const Result<std::string> text = read_input_file(path, max_file_bytes);
-    if (!text) return text.error();
-    if (text.value().find_first_not_of(" \t\r\n") == std::string::npos) {
+    POL_TRY(const auto text, read_input_file(path, max_file_bytes));
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
         return Error{ErrorKind::input,
                      "is empty",
                      {path.string(), 0, 0},
@@ -353,11 +351,11 @@ Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::pa
                      "a record has a DATA list with a formula or a table"};
     }
     try {
-        return RefractiveIndex{RecordReader(path.string(), text.value(), name_or_path).read()};
+        return RefractiveIndex{RecordReader(path.string(), text, name_or_path).read()};
     } catch (const YamlComplaint& complaint) {
         return complaint.error;
     } catch (const YAML::Exception& e) {
-        return yaml_text_problem(e, text.value(), path.string());
+        return yaml_text_problem(e, text, path.string());
     }
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/number_text.h"
+#include "core/result.h"
 #include "io/files/input_file.h"
 #include "io/files/yaml_value.h"
 #include "io/scenes/scene_file.h"
@@ -48,12 +49,11 @@ void read_head(const std::string& head, const YamlFile& file, PixelCase& result)
 }  // namespace
 
 Result<PixelCase> load_pixel_case(const std::filesystem::path& path) {
-    const Result<std::string> text = read_input_file(path, std::uintmax_t{16} << 20U);
-    if (!text) return text.error();
+    POL_TRY(const auto text, read_input_file(path, std::uintmax_t{16} << 20U));
     std::size_t cut = std::string::npos;
     std::size_t scene_begin = 0;
     for (const std::string_view dashes : {"\n---\n", "\n---\r\n"}) {
-        const std::size_t found = text.value().find(dashes);
+        const std::size_t found = text.find(dashes);
         if (found >= cut) continue;
         cut = found;
         scene_begin = found + dashes.size();
@@ -64,15 +64,14 @@ Result<PixelCase> load_pixel_case(const std::filesystem::path& path) {
                      {path.string()},
                      {},
                      "a scene is explained without --case"};
-    const std::string head = text.value().substr(0, cut + 1);
+    const std::string head = text.substr(0, cut + 1);
     // Empty lines instead of the head: messages about the scene then have the lines of this file.
     const std::string scene_text =
         std::string(static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n')) + 1, '\n') +
-        text.value().substr(scene_begin);
-    auto scene = parse_scene(scene_text, path.string(), path.parent_path());
-    if (!scene) return scene.error();
+        text.substr(scene_begin);
+    POL_TRY(auto scene, parse_scene(scene_text, path.string(), path.parent_path()));
     PixelCase result;
-    result.scene = std::move(scene).value();
+    result.scene = std::move(scene);
     try {
         read_head(head, YamlFile{path.string(), 0, nullptr}, result);
     } catch (const YamlComplaint& complaint) {

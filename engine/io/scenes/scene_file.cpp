@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/overloaded.h"
+#include "core/result.h"
 #include "io/files/assets.h"
 #include "io/files/input_file.h"
 #include "io/files/yaml_value.h"
@@ -211,9 +212,8 @@ Result<Scene> parse_scene(const std::string& text, const std::string& file_name,
 }
 
 Result<Scene> load_scene(const fs::path& path) {
-    const Result<std::string> text = read_scene_text(path);
-    if (!text) return text.error();
-    return parse_scene(text.value(), path.string(), path.parent_path());
+    POL_TRY(const auto text, read_scene_text(path));
+    return parse_scene(text, path.string(), path.parent_path());
 }
 
 }  // namespace pol

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/result.h"
 #include "io/files/input_file.h"
 #include "spectrum/color.h"
 
@@ -155,9 +156,8 @@ Result<RgbImage> load_texture(const std::filesystem::path& path) {
     const auto error = [&](std::string what, std::string hint) {
         return Error{ErrorKind::input, std::move(what), {path.string(), 0, 0}, {}, std::move(hint)};
     };
-    const Result<std::string> bytes = read_input_file(path, max_file_bytes);
-    if (!bytes) return bytes.error();
-    const std::string& file = bytes.value();
+    POL_TRY(const auto bytes, read_input_file(path, max_file_bytes));
+    const std::string& file = bytes;
     if (png_sig_cmp(reinterpret_cast<png_const_bytep>(file.data()), 0, std::min<std::size_t>(file.size(), 8)) != 0 ||
         file.size() < 8) {
         return error("is not a PNG picture", "convert the texture to PNG, 8 or 16 bits");

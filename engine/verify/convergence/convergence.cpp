@@ -13,6 +13,7 @@
 
 #include "core/number_text.h"
 #include "core/random.h"
+#include "core/result.h"
 #include "io/files/input_file.h"
 #include "io/files/output_file.h"
 #include "io/pictures/exr_file.h"
@@ -128,15 +129,14 @@ Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, SolidKe
     scene.render = settings;
     Shot shot;
     const auto compiling = Clock::now();
-    auto plan = compile(scene, kernel);
-    if (!plan) return plan.error();
+    POL_TRY(auto plan, compile(scene, kernel));
     shot.compile_s = seconds_since(compiling);
-    shot.trees = static_cast<double>(plan.value()->groups.size());
-    shot.kernel = plan.value()->features.kernel;
+    shot.trees = static_cast<double>(plan->groups.size());
+    shot.kernel = plan->features.kernel;
     Renderer renderer(request_.threads);
     const auto start = Clock::now();
     const double cpu_start = cpu_seconds();
-    renderer.start(std::move(plan).value());
+    renderer.start(std::move(plan));
     while (!renderer.wait_for(0.1)) {
         if (tell(doing_)) continue;
         renderer.cancel();
@@ -185,9 +185,8 @@ double admitted_sampling(const StokesImage& image) {
 
 /// Of a foreign picture nothing is known but what it says itself, and that it must not contradict ours.
 Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
-    auto read = read_exr(*request_.reference);
-    if (!read) return read.error();
-    reference_ = std::move(read).value();
+    POL_TRY(auto read, read_exr(*request_.reference));
+    reference_ = std::move(read);
     const auto refuse = [this](std::string what, const char* hint) {
         return Error{ErrorKind::usage, std::move(what), {request_.reference->string(), 0, 0}, "--reference", hint};
     };
@@ -214,10 +213,9 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
     result_.reference_id = fmt::format("{} ({:016x})", request_.reference->filename().string(), content);
 
     doing_ = "our own picture, to check the reference";
-    const auto shot = shoot(deep, SolidKernel::half_spaces);
-    if (!shot) return shot.error();
-    if (!shot.value()) return Done{};
-    const StokesImage& own = shot.value()->image;
+    POL_TRY(const auto shot, shoot(deep, SolidKernel::half_spaces));
+    if (!shot) return Done{};
+    const StokesImage& own = shot->image;
     // A number and the bounds beside it are each rounded once.
     const double rounding = 2.0 * reference_.stored.rounding();
     const double admitted = rounding + relative_bound(reference_, reference_) + admitted_sampling(reference_);
@@ -264,10 +262,9 @@ Result<Done> Sweep::find_reference() {
     for (const std::uint64_t seed : {0x5eed0001ULL, 0x5eed0002ULL}) {
         deep.seed = seed;
         doing_ = "reference " + std::to_string(halves.size() + 1) + " of 2";
-        auto shot = shoot(deep, embree ? SolidKernel::embree : SolidKernel::half_spaces);
-        if (!shot) return shot.error();
-        if (!shot.value()) return Done{};
-        halves.push_back(std::move(shot.value()->image));
+        POL_TRY(auto shot, shoot(deep, embree ? SolidKernel::embree : SolidKernel::half_spaces));
+        if (!shot) return Done{};
+        halves.push_back(std::move(shot->image));
     }
     reference_ = mean_of(halves[0], halves[1]);
     // The mean of two is off by half their difference; what neither traced comes on top, and the file's rounding.
@@ -286,11 +283,9 @@ Result<Done> Sweep::read_stored_rows() {
     const auto path = file("runs.csv");
     if (!std::filesystem::exists(path)) return Done{};
     constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 28U;
-    auto text = read_input_file(path, most_bytes);
-    if (!text) return text.error();
-    auto rows = parse_run_table(text.value(), path.string());
-    if (!rows) return rows.error();
-    stored_rows_ = std::move(rows).value();
+    POL_TRY(auto text, read_input_file(path, most_bytes));
+    POL_TRY(auto rows, parse_run_table(text, path.string()));
+    stored_rows_ = std::move(rows);
     for (const RunRow& row : stored_rows_) {
         if (!is_comparable_hash(row.scene_hash))
             return not_ours(
@@ -326,10 +321,9 @@ Result<const StokesImage*> Sweep::deeper_than(const RenderSettings& settings) {
     deep.residual = 1e-6;
     deep.node_budget = 8 * request_.scene.render.node_budget;
     deep.wavelengths_nm = request_.scene.render.wavelengths_nm;
-    auto shot = shoot(deep, SolidKernel::half_spaces);
-    if (!shot) return shot.error();
-    if (!shot.value()) return static_cast<const StokesImage*>(nullptr);
-    return &deeper_.emplace(settings.samples_per_pixel, std::move(shot.value()->image)).first->second;
+    POL_TRY(auto shot, shoot(deep, SolidKernel::half_spaces));
+    if (!shot) return static_cast<const StokesImage*>(nullptr);
+    return &deeper_.emplace(settings.samples_per_pixel, std::move(shot->image)).first->second;
 }
 
 void Sweep::fill_errors(RunRow& row, const Shot& shot, const RenderSettings& settings, bool first_seed) {
@@ -374,13 +368,12 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     double spent = 0.0;
     int repeats = 0;
     while (repeats < request_.most_repeats && (repeats == 0 || (spent < enough_s && best.wall_s < long_s))) {
-        auto shot = shoot(settings, SolidKernel::half_spaces);
-        if (!shot) return shot.error();
-        if (!shot.value()) return false;
-        spent += shot.value()->wall_s;
-        if (repeats == 0) best = std::move(*shot.value());
-        best.wall_s = std::min(best.wall_s, shot.value()->wall_s);
-        best.cpu_s = std::min(best.cpu_s, shot.value()->cpu_s);
+        POL_TRY(auto shot, shoot(settings, SolidKernel::half_spaces));
+        if (!shot) return false;
+        spent += shot->wall_s;
+        if (repeats == 0) best = std::move(*shot);
+        best.wall_s = std::min(best.wall_s, shot->wall_s);
+        best.cpu_s = std::min(best.cpu_s, shot->cpu_s);
         ++repeats;
     }
     row.series = setting.series;
@@ -421,35 +414,33 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     previous_[key_of(setting)] = std::move(best.image);
     result_.rows.push_back(std::move(row));
     seconds_[key_of(setting)] = seconds_since(begin);
-    if (auto stored = write_file(file("runs.csv"), run_table_csv(result_.rows)); !stored) return stored.error();
+    POL_TRY_DONE(write_file(file("runs.csv"), run_table_csv(result_.rows)));
     return true;
 }
 
 Result<ConvergenceResult> Sweep::run() {
-    auto plan = compile(request_.scene);
-    if (!plan) return plan.error();
-    settings_ = convergence_settings(request_.scene, plan.value()->kernel().anisotropic);
-    if (auto read = read_stored_rows(); !read) return read.error();
-    if (auto found = find_reference(); !found) return found.error();
+    POL_TRY(auto plan, compile(request_.scene));
+    settings_ = convergence_settings(request_.scene, plan->kernel().anisotropic);
+    POL_TRY_DONE(read_stored_rows());
+    POL_TRY_DONE(find_reference());
     if (stopped_) return std::move(result_);
-    if (auto taken = take_over_rows(); !taken) return taken.error();
-    result_.rounding = rounding_error(*plan.value(), [this](std::size_t) { return tell("rounding, in 128 bit"); });
+    POL_TRY_DONE(take_over_rows());
+    result_.rounding = rounding_error(*plan, [this](std::size_t) { return tell("rounding, in 128 bit"); });
     if (stopped_) return std::move(result_);
-    result_.anytime = anytime_curve(plan.value(), reference_, request_.threads,
+    result_.anytime = anytime_curve(plan, reference_, request_.threads,
                                     [this](std::size_t) { return tell("one render as it grows"); });
     if (stopped_) return std::move(result_);
-    if (auto stored = write_file(file("anytime.csv"), anytime_csv(result_.anytime)); !stored) return stored.error();
+    POL_TRY_DONE(write_file(file("anytime.csv"), anytime_csv(result_.anytime)));
 
     doing_ = "warm-up";
-    if (auto warm = shoot(settings_.front().settings, SolidKernel::half_spaces); !warm) return warm.error();
+    POL_TRY_DONE(shoot(settings_.front().settings, SolidKernel::half_spaces));
     for (int seed = 0; seed < request_.seeds && !stopped_; ++seed) {
         for (std::size_t i = 0; i < settings_.size() && !stopped_; ++i) {
             const RunSetting& setting = settings_[seed % 2 == 0 ? i : settings_.size() - 1 - i];
             if (row_of(setting, static_cast<std::uint64_t>(seed)) != nullptr) continue;
             if (!tell(setting.series + ", seed " + std::to_string(seed + 1) + " of " + std::to_string(request_.seeds)))
                 break;
-            const auto measured = measure_setting(setting, static_cast<std::uint64_t>(seed));
-            if (!measured) return measured.error();
+            POL_TRY_DONE(measure_setting(setting, static_cast<std::uint64_t>(seed)));
         }
     }
     result_.complete = !stopped_;

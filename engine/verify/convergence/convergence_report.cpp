@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/result.h"
 #include "io/pictures/exr_file.h"
 #include "maps/color_picture.h"
 #include "maps/color_scale.h"
@@ -181,9 +182,8 @@ std::vector<NamedPlot> convergence_plots(const ConvergenceResult& result) {
 }
 
 Result<std::vector<BudgetPicture>> budget_pictures(const ConvergenceRequest& request, const ConvergenceResult& result) {
-    auto read = read_exr(request.reference.value_or(request.folder / "reference.exr"));
-    if (!read) return read.error();
-    const StokesImage& reference = read.value();
+    POL_TRY(auto read, read_exr(request.reference.value_or(request.folder / "reference.exr")));
+    const StokesImage& reference = read;
     const std::vector<RunSetting> settings = convergence_settings(request.scene, false);
     std::vector<RunSetting> first;
     for (const RunSetting& setting : settings)
@@ -193,9 +193,8 @@ Result<std::vector<BudgetPicture>> budget_pictures(const ConvergenceRequest& req
     for (const std::size_t index : {std::size_t{0}, first.size() / 2, first.size() - 1}) {
         Scene scene = request.scene;
         scene.render = first[index].settings;
-        auto plan = compile(scene);
-        if (!plan) return plan.error();
-        const StokesImage image = render_to_end(std::move(plan).value(), {}, {.threads = request.threads}).picture;
+        POL_TRY(auto plan, compile(scene));
+        const StokesImage image = render_to_end(std::move(plan), {}, {.threads = request.threads}).picture;
         const double error = error_metrics(image, reference).fro_c.whole;
         std::string caption = "residual " + fmt::format("{:g}", scene.render.residual);
         if (scene.render.mode == SampleMode::area)

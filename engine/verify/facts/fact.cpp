@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/result.h"
 #include "io/files/assets.h"
 #include "io/scenes/scene_file.h"
 #include "plan/compile.h"
@@ -32,9 +33,8 @@ Result<FactResult> judged(const Fact& fact) {
     FactResult result;
     std::vector<Explanation> explanations;
     for (const FactView& view : fact.views) {
-        Result<Explanation> explanation = explain_view(view);
-        if (!explanation) return explanation.error();
-        explanations.push_back(std::move(explanation).value());
+        POL_TRY(auto explanation, explain_view(view));
+        explanations.push_back(std::move(explanation));
     }
     for (const Reading& reading : fact.readings) result.readings.push_back(judge(reading, explanations[reading.view]));
     const bool all_pass = std::all_of(result.readings.begin(), result.readings.end(),
@@ -89,11 +89,9 @@ ReadingResult judge(const Reading& reading, const Explanation& explanation) {
 }
 
 Result<Explanation> explain_view(const FactView& view) {
-    const auto scene = parse_scene(view.yaml, "scene of a fact", assets_dir());
-    if (!scene) return scene.error();
-    const auto plan = compile(scene.value());
-    if (!plan) return plan.error();
-    Explanation explanation = explain(*plan.value(), view.x, view.y, 0, 0);
+    POL_TRY(const auto scene, parse_scene(view.yaml, "scene of a fact", assets_dir()));
+    POL_TRY(const auto plan, compile(scene));
+    Explanation explanation = explain(*plan, view.x, view.y, 0, 0);
     if (!explanation.exact())
         return Error{ErrorKind::internal, "the tree of the pixel is not what the picture is made of"};
     if (explanation.result.failures != 0)

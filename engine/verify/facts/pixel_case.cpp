@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "core/hypot.h"
+#include "core/result.h"
 #include "plan/compile.h"
 
 namespace pol {
 
 Result<PixelCaseVerdict> check(const PixelCase& c) {
-    auto plan = compile(c.scene);
-    if (!plan) return plan.error();
+    POL_TRY(auto plan, compile(c.scene));
     PixelCaseVerdict verdict;
-    verdict.plan = std::move(plan).value();
+    verdict.plan = std::move(plan);
     const std::vector<double>& wavelengths = verdict.plan->wavelengths_nm;
     const auto wavelength = std::find(wavelengths.begin(), wavelengths.end(), c.wavelength_nm) - wavelengths.begin();
     verdict.explanation = explain(*verdict.plan, c.x, c.y, c.sample, static_cast<int>(wavelength));

@@ -5,16 +5,16 @@
 #include <limits>
 #include <utility>
 
+#include "core/result.h"
 #include "plan/compile.h"
 #include "render/render_to_end.h"
 
 namespace pol::verify {
 
 Result<SceneUnderTest> under_test(const Scene& scene) {
-    auto plan = compile(scene);
-    if (!plan) return plan.error();
-    FinishedRender render = render_to_end(plan.value(), {}, {.threads = 1});
-    return SceneUnderTest{scene, std::move(plan).value(), std::move(render.picture), render.progress.statistics};
+    POL_TRY(auto plan, compile(scene));
+    FinishedRender render = render_to_end(plan, {}, {.threads = 1});
+    return SceneUnderTest{scene, std::move(plan), std::move(render.picture), render.progress.statistics};
 }
 
 std::string_view outcome_text(Outcome outcome) {
