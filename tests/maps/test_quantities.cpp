@@ -95,7 +95,7 @@ TEST(Quantity, RowsSayWhatListsAndPagesNeed) {
 /// Light with all properties, of which a little was left out.
 PixelLight some_light() {
     PixelLight light;
-    light.stokes = {1.0, 0.4, -0.3, -0.55};
+    light.stokes = {1.0, -0.4, -0.3, -0.55};
     light.missing = 0.02;
     light.surplus = 0.005;
     light.residual = 0.015;
