@@ -96,7 +96,7 @@ TEST(FrontDoor, SaysWhereAFileIsWrong) {
     expect_error(ps::load_scene(testing::TempDir()), ps::ErrorKind::input);
     expect_error(ps::shipped_scene("no-such-scene"), ps::ErrorKind::input);
     const auto scene = ps::parse_scene(
-        "camera: {position: [0, 0, 4], target: [0, 0, 0], fov: 30}\nobjects:\n  - {name: x, "
+        "camera: {position: [0, -4, 2], target: [0, 0, 0], fov: 30}\nobjects:\n  - {name: x, "
         "shape: {box: {size: 1}}, medium: glas}\nmedia: {glass: 1.5}\n",
         "mine.yaml");
     expect_error(scene, ps::ErrorKind::input, "objects[0].medium");
