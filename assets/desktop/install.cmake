@@ -12,7 +12,9 @@ foreach(kind cases refractive_index scenes textures)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/${kind} DESTINATION ${CMAKE_INSTALL_DATADIR}/polariscope COMPONENT program
         PATTERN "*.py" EXCLUDE)
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/engine/polarization/CONVENTIONS.md
+# What reports and facts cite.
+install(FILES ${PROJECT_SOURCE_DIR}/engine/PHYSICS.md ${PROJECT_SOURCE_DIR}/engine/CUTTING.md
+    ${PROJECT_SOURCE_DIR}/engine/polarization/CONVENTIONS.md
     DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 # Manual page and completions are what the program itself prints, so that they say what --help says.
@@ -52,11 +54,15 @@ endif()
 
 # What Debian wants beside the files of every package.
 configure_file(${desktop}/changelog.in ${made}/changelog.Debian @ONLY)
-add_custom_command(OUTPUT ${made}/changelog.Debian.gz
-    COMMAND ${GZIP} -9nkf changelog.Debian WORKING_DIRECTORY ${made} DEPENDS ${made}/changelog.Debian)
+add_custom_command(OUTPUT ${made}/changelog.Debian.gz ${made}/changelog.gz
+    COMMAND ${GZIP} -9nkf changelog.Debian
+    COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > changelog.gz
+    WORKING_DIRECTORY ${made} DEPENDS ${made}/changelog.Debian ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 add_custom_target(polariscope_changelog ALL DEPENDS ${made}/changelog.Debian.gz)
-install(FILES ${desktop}/copyright ${made}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/polariscope COMPONENT program)
-install(FILES ${desktop}/copyright ${made}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libpolariscope-dev COMPONENT development)
+install(FILES ${desktop}/copyright ${made}/changelog.Debian.gz ${made}/changelog.gz
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/polariscope COMPONENT program)
+install(FILES ${desktop}/copyright ${made}/changelog.Debian.gz ${made}/changelog.gz
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libpolariscope-dev COMPONENT development)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL program development)
