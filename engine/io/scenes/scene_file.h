@@ -11,8 +11,7 @@
 namespace pol {
 
 /// Reads a scene with its includes, textures, meshes and index records, and checks it (scene/check.h). The result is
-/// complete or an error of kind input with file, line, column, key path and hint. Meshes, textures
-/// and records are read, too. Paths in the result are absolute.
+/// complete or an error of kind input with file, line, column, key path and hint. Paths in the result are absolute.
 Result<Scene> load_scene(const std::filesystem::path& path);
 
 /// The same for text in memory. `file_name` is what messages call it; files it names are looked for in `base_dir`, then
