@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 
 #include "core/join.h"
@@ -52,6 +53,7 @@ ProgramOption ProgramCommand::add_option(const std::string& names, Value& value,
 }
 
 template ProgramOption ProgramCommand::add_option(const std::string&, std::string&, const std::string&);
+template ProgramOption ProgramCommand::add_option(const std::string&, std::filesystem::path&, const std::string&);
 template ProgramOption ProgramCommand::add_option(const std::string&, int&, const std::string&);
 template ProgramOption ProgramCommand::add_option(const std::string&, double&, const std::string&);
 template ProgramOption ProgramCommand::add_option(const std::string&, std::optional<int>&, const std::string&);

@@ -42,8 +42,8 @@ public:
     explicit ProgramCommand(CLI::App& app) : app_(&app) {}
 
     ProgramCommand add_subcommand(const std::string& name, const std::string& description);
-    /// `names`: "-o,--output"; without dashes an argument. `Value` is a text, a number, an optional of one, or a
-    /// vector.
+    /// `names`: "-o,--output"; without dashes an argument. `Value` is a text, a path, a number, an optional of one, or
+    /// a vector.
     template <class Value>
     ProgramOption add_option(const std::string& names, Value& value, const std::string& description = {});
     /// The same with a function that takes the value.

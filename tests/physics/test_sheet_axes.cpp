@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Axes of sheets in scenes: seen at an angle, and on objects that are stretched.
 #include "physics/fact_scene.h"
-#include "plan/compile_media.h"
+#include "scene/place.h"
 
 namespace pol::test {
 namespace {
