@@ -91,7 +91,7 @@ class BadScenes(ProgramTest):
         self.write("empty.yaml", "")
         (self.folder / "folder.yaml").mkdir()
         os.mkfifo(self.folder / "pipe.yaml")
-        for name, said in [("missing.yaml", "no such file"), ("empty.yaml", "empty"), ("folder.yaml", "directory"),
+        for name, said in [("missing.yaml", "no such file"), ("empty.yaml", "empty"), ("folder.yaml", "folder"),
                            ("pipe.yaml", "regular file"), ("", "no such file")]:
             with self.subTest(name):
                 before = set(os.listdir(self.folder))
@@ -108,7 +108,7 @@ class BadScenes(ProgramTest):
         done = self.run_program("render", "scene.yaml", "-o", "out.exr", **bound_by_permissions())
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("scene.yaml: ", done.stderr)
-        self.assertIn("check that you may read it", done.stderr)
+        self.assertIn("check its permissions", done.stderr)
 
     def test_binary_and_endless_nesting_are_no_scenes(self):
         for content in (b"\x7fELF\x02\x01\x01\0\0\0", b"[" * 100_000, b"{a: " * 50_000, os.urandom(1000), b"\xff\xfe\0", b",b"):

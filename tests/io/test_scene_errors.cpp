@@ -319,7 +319,7 @@ TEST_F(SceneFolder, MissingFilesAndDirectoriesAreRefusedByName) {
     EXPECT_EQ(missing.error().place.file, (folder_ / "no.yaml").string());
     const Result<Scene> directory = load_scene(folder_);
     ASSERT_FALSE(directory);
-    EXPECT_NE(directory.error().what.find("directory"), std::string::npos);
+    EXPECT_NE(directory.error().what.find("folder"), std::string::npos);
     EXPECT_EQ(directory.error().kind, ErrorKind::input);
 }
 
