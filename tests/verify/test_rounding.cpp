@@ -126,13 +126,13 @@ TEST(WideReplay, GivesTheTransmittanceOfATourmalinePlateToThirtyDigits) {
 // Light at 45 degrees behind a retarder along x: S2 + i S3 = exp(-i retardance)/2, since y gains the phase and
 // S2 + i S3 = 2 <E_x E_y*>. cos and sin of 100 radians to 40 digits by mpmath, as sums of doubles.
 TEST(WideReplay, GivesTheStateBehindARetarderOfManyTurnsToThirtyDigits) {
-    const auto sheet = [](double z, Sheet kind) {
+    const auto sheet = [](const char* name, double z, Sheet kind) {
         return Object{
-            "sheet", RectangleShape{{4.0, 4.0}}, glm::translate(DMat4(1.0), DVec3(0.0, 0.0, z)), std::move(kind), {}};
+            name, RectangleShape{{4.0, 4.0}}, glm::translate(DMat4(1.0), DVec3(0.0, 0.0, z)), std::move(kind), {}};
     };
     Scene scene = empty_scene(camera_at({0.0, 0.0, 3.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}));
-    scene.objects = {sheet(1.0, Retarder{{1.0, 0.0, 0.0}, 100.0}), sheet(0.0, LinearPolarizer{{1.0, 1.0, 0.0}}),
-                     lamp_sheet({0.0, 0.0, -4.0}, 40.0)};
+    scene.objects = {sheet("retarder", 1.0, Retarder{{1.0, 0.0, 0.0}, 100.0}),
+                     sheet("polarizer", 0.0, LinearPolarizer{{1.0, 1.0, 0.0}}), lamp_sheet({0.0, 0.0, -4.0}, 40.0)};
     const Stokes<Quad> light = wide_look(test::plan_of(scene));
     const Quad cosine = Quad(0x1.b981dbf665fdfp-1) + Quad(0x1.8fd0cdcd985e8p-55) + Quad(0x1.057627d5fae8dp-111);
     const Quad sine = Quad(-0x1.03425b78c4db8p-1) + Quad(-0x1.c23d8557420fbp-59) + Quad(0x1.bc72a1db6abccp-114);
