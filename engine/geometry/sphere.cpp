@@ -59,13 +59,11 @@ Result<Sphere> make_sphere(const SphereShape& shape, const DMat4& to_world) {
         return complaint("radius", "the radius must be positive and finite", "for example radius: 1");
     }
     const DMat3 linear(to_world);
-    const double volume = std::abs(glm::determinant(linear));
-    if (!std::isfinite(volume) || volume == 0.0) {
+    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
+    if (!std::isfinite(scale) || scale == 0.0) {
         return complaint("transform", "the transform is singular or not finite", "use non-zero scales");
     }
-    // A similarity: columns of equal length, mutually perpendicular. (The cube root of the volume has other bits on
-    // every machine.)
-    const double scale = std::sqrt(length2(linear[0]));
+    // A similarity: columns of equal length, mutually perpendicular.
     const DMat3 gram = glm::transpose(linear) * linear / (scale * scale);
     for (int c = 0; c < 3; ++c) {
         for (int r = 0; r < 3; ++r) {
