@@ -100,6 +100,8 @@ TEST(Session, LooksForWhatShipsWithTheProgramAtItsFirstFrameAndWheneverAFileIsOp
     test::write_text(records / "water.yml", "");
     test::write_text(records / "notes.txt", "");
     test::write_text("plate.yaml", test::plate_scene(4, 4));
+    const char* chosen = std::getenv("POLARISCOPE_ASSETS");
+    const std::string before = chosen == nullptr ? "" : chosen;
     ASSERT_EQ(::setenv("POLARISCOPE_ASSETS", (folder / ".").c_str(), 1), 0);
     Session session;
     EXPECT_TRUE(session.shipped_files().index_records.empty());
@@ -111,7 +113,7 @@ TEST(Session, LooksForWhatShipsWithTheProgramAtItsFirstFrameAndWheneverAFileIsOp
     EXPECT_EQ(session.shipped_files().index_records.size(), 1U) << "not in every frame";
     ASSERT_TRUE(session.open("plate.yaml"));
     EXPECT_EQ(session.shipped_files().index_records, (std::vector<std::string>{"ice", "water"}));
-    ::unsetenv("POLARISCOPE_ASSETS");
+    ::setenv("POLARISCOPE_ASSETS", before.c_str(), 1);  // empty is as if it were not set
 }
 
 TEST(Session, ATwinIsNotEditedAndIsShownOnce) {
