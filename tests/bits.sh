@@ -64,5 +64,5 @@ for scene in "$root"/assets/scenes/*.yaml "$root"/assets/scenes/bench/*.yaml tor
     "$program" plan "$scene" >"$name-plan.txt"
 done
 "$program" check facts --json >facts.json
-"$program" check stiff | sed 's/ ([0-9.]* s)//' >stiff.txt
+"$program" check stiff | sed -E 's/ \(([0-9.]+ (h|min|s) ?)+\)//' >stiff.txt
 printf '%s files in %s\n' "$(find . -type f | wc -l)" "$folder"
