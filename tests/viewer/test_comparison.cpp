@@ -56,9 +56,9 @@ TEST(Comparison, ADifferenceHasABarAsWideAsBothTogether) {
         session.show(quantity);
         const ShownQuantity both = session.shown_quantity();
         const std::size_t pixel = session.current()->picture().pixel(9, 9);
-        const QuantityReading a = both.own(pixel);
-        const QuantityReading b = both.of_reference(pixel);
-        const QuantityReading by = both.reading(pixel);
+        const QuantityReadout a = both.own(pixel);
+        const QuantityReadout b = both.of_reference(pixel);
+        const QuantityReadout by = both.readout(pixel);
         ASSERT_EQ(by.pixel.state, PixelState::defined);
         ASSERT_TRUE(by.bar);
         EXPECT_EQ(by.pixel.value, both.at(pixel).value);

@@ -16,7 +16,7 @@
 #include "verify/facts/pixel_case.h"
 #include "viewer/known_picture.h"
 #include "viewer/pages/pixel_page.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/panels/paths_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"

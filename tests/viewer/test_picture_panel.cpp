@@ -7,7 +7,7 @@
 #include "maps/evaluate.h"
 #include "plan/camera_model.h"
 #include "viewer/pages/pixel_page.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/panels/color_bar.h"
 #include "viewer/panels/hover_readout.h"
 #include "viewer/session/map_look.h"

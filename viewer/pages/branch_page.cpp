@@ -7,7 +7,7 @@
 
 #include "core/units.h"
 #include "tracer/tree_names.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/shown/convention.h"
 
 namespace pol {

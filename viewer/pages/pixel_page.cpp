@@ -9,8 +9,8 @@
 #include "core/units.h"
 #include "maps/error_bars.h"
 #include "maps/evaluate.h"
-#include "viewer/pages/pixel_reading.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/pixel_readout.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/shown/shown_picture.h"
 
 namespace pol {
@@ -191,23 +191,23 @@ PageGroup stokes_group(const PixelPage& page, const PixelLight& light, const Con
 }
 
 /// As the maps see it, so that hover and inspector agree about what is undefined.
-PageRow measure_row(std::string name, const QuantityReading& reading, std::string_view unit, std::string_view help) {
-    if (reading.pixel.state == PixelState::defined)
-        return row(std::move(name), reading.pixel.value, reading.bar, reading.rounding, unit, help);
-    PageRow out{std::move(name), std::string(state_text(reading.pixel.state)), {}, {}, help};
-    if (reading.pixel.state != PixelState::undetermined || !reading.bar) return out;
-    out.bar = interval_text(*reading.bar, reading.rounding, unit);
-    out.exact_bar = exact_text(*reading.bar, unit);
+PageRow measure_row(std::string name, const QuantityReadout& readout, std::string_view unit, std::string_view help) {
+    if (readout.pixel.state == PixelState::defined)
+        return row(std::move(name), readout.pixel.value, readout.bar, readout.rounding, unit, help);
+    PageRow out{std::move(name), std::string(state_text(readout.pixel.state)), {}, {}, help};
+    if (readout.pixel.state != PixelState::undetermined || !readout.bar) return out;
+    out.bar = interval_text(*readout.bar, readout.rounding, unit);
+    out.exact_bar = exact_text(*readout.bar, unit);
     return out;
 }
 
 /// Right, left or linear, where no light that is missing can make it another one.
-PageRow handedness_row(const QuantityReading& reading, int handedness, const Convention& convention) {
+PageRow handedness_row(const QuantityReadout& readout, int handedness, const Convention& convention) {
     const QuantityInfo& about = info(Quantity::handedness);
-    PageRow out{std::string(about.row_name), std::string(state_text(reading.pixel.state)), {}, {}, about.in_a_frame};
-    if (reading.pixel.state != PixelState::defined) return out;
-    const bool has_bar = reading.bar && reading.bar->width() > reading.rounding;
-    const bool may_be_other = has_bar && (handedness == 0 || (reading.bar->low <= 0.0 && reading.bar->high >= 0.0));
+    PageRow out{std::string(about.row_name), std::string(state_text(readout.pixel.state)), {}, {}, about.in_a_frame};
+    if (readout.pixel.state != PixelState::defined) return out;
+    const bool has_bar = readout.bar && readout.bar->width() > readout.rounding;
+    const bool may_be_other = has_bar && (handedness == 0 || (readout.bar->low <= 0.0 && readout.bar->high >= 0.0));
     out.value = may_be_other      ? std::string(state_text(PixelState::undetermined))
                 : handedness == 0 ? "linear"
                                   : std::string(convention.handedness_name(handedness));
@@ -217,7 +217,7 @@ PageRow handedness_row(const QuantityReading& reading, int handedness, const Con
 
 /// Known as well as the handedness, which is the sine of twice this angle.
 PageRow ellipticity_angle_row(const PixelLight& light, const Measures<double>& m) {
-    QuantityReading chi = read_light(light, Quantity::handedness, 1.0);
+    QuantityReadout chi = read_light(light, Quantity::handedness, 1.0);
     chi.pixel.value = degrees(m.ellipticity_angle);
     chi.rounding *= 90.0;
     if (const auto bars = error_bars(light))
@@ -231,11 +231,11 @@ PageGroup measures_group(const PixelPage& page, const PixelLight& light, const C
     PageGroup group{"Measures", {}};
     for (const QuantityInfo& about : quantities()) {
         if (about.group != MapGroup::polarization) continue;
-        const QuantityReading reading = read_light(light, about.quantity, 1.0);
+        const QuantityReadout readout = read_light(light, about.quantity, 1.0);
         const std::string_view help = about.in_a_frame.empty() ? about.definition : about.in_a_frame;
         group.rows.push_back(about.quantity == Quantity::handedness
-                                 ? handedness_row(reading, m.handedness, convention)
-                                 : measure_row(std::string(about.row_name), reading, about.unit, help));
+                                 ? handedness_row(readout, m.handedness, convention)
+                                 : measure_row(std::string(about.row_name), readout, about.unit, help));
         if (about.quantity == Quantity::ellipticity) group.rows.push_back(ellipticity_angle_row(light, m));
     }
     return group;
@@ -247,20 +247,20 @@ double shown_angle(const Session& session) {
     return frame_angle(session.page(), camera_axes(*session.current(), *session.selection().pinned()), trouble);
 }
 
-PageGroup making_group(const PixelReading& reading, const WavelengthReading& at) {
+PageGroup making_group(const PixelReadout& readout, const WavelengthReadout& at) {
     PageGroup group{"How it was made", {}};
-    if (reading.samples)
-        group.rows.push_back(exact_row("samples", *reading.samples, "", "Rays through this pixel so far"));
+    if (readout.samples)
+        group.rows.push_back(exact_row("samples", *readout.samples, "", "Rays through this pixel so far"));
     group.rows.push_back(exact_row("residual", at.light.residual, "", info(Quantity::residual).definition));
     group.rows.push_back(exact_row("tail", at.tail, "", "Share of the throughput that one random path stands for"));
     if (at.brightest > 0.0)
         group.rows.push_back(exact_row("brightest", at.brightest, "", "Most S0 that any path can bring"));
-    group.rows.push_back(exact_row("failures", reading.failures.value_or(0), "", "Samples whose arithmetic failed"));
+    group.rows.push_back(exact_row("failures", readout.failures.value_or(0), "", "Samples whose arithmetic failed"));
     return group;
 }
 
 /// Of a pixel that the render has not reached yet, behind the polarimeter.
-WavelengthReading reading_of(const Explanation& e, const Plan& plan, const Polarimeter& polarimeter) {
+WavelengthReadout readout_of(const Explanation& e, const Plan& plan, const Polarimeter& polarimeter) {
     const auto w = static_cast<std::size_t>(e.wavelength);
     StokesImage image;
     image.width = image.height = 1;
@@ -269,7 +269,7 @@ WavelengthReading reading_of(const Explanation& e, const Plan& plan, const Polar
     image.residual = {e.result.residual};
     image.tail = {e.result.tail};
     image.brightest = {plan.brightest[w]};
-    WavelengthReading at;
+    WavelengthReadout at;
     at.wavelength_nm = image.wavelengths_nm[0];
     at.light = ShownPicture(image, polarimeter).light(0, 0);
     at.tail = e.result.tail;
@@ -303,10 +303,10 @@ PixelPage make_pixel_page(const Session& session) {
     page.pixel = {document.picture().left + pixel.x, document.picture().top + pixel.y};
     page.convention = convention.text();
     // The frame is turned before the convention labels it.
-    const PixelReading reading = read_pixel(session, pixel, Convention{});
-    WavelengthReading at = reading.wavelengths[std::min(session.view().wavelength, reading.wavelengths.size() - 1)];
-    if (reading.samples == 0U && session.explanation() != nullptr) {
-        at = reading_of(*session.explanation(), *document.plan(), session.polarimeter());
+    const PixelReadout readout = read_pixel(session, pixel, Convention{});
+    WavelengthReadout at = readout.wavelengths[std::min(session.view().wavelength, readout.wavelengths.size() - 1)];
+    if (readout.samples == 0U && session.explanation() != nullptr) {
+        at = readout_of(*session.explanation(), *document.plan(), session.polarimeter());
         page.from_tree = true;
     }
     page.wavelength_nm = at.wavelength_nm;
@@ -325,7 +325,7 @@ PixelPage make_pixel_page(const Session& session) {
                    stokes_group(page, light, convention),
                    measures_group(page, light, convention),
                    parts_group(page, light),
-                   making_group(reading, at)};
+                   making_group(readout, at)};
     return page;
 }
 
@@ -336,11 +336,11 @@ PageAxes page_axes(const Session& session) {
 }
 
 std::vector<PageCurve> spectrum_curves(const Session& session) {
-    const PixelReading reading = read_pixel(session, *session.selection().pinned(), Convention{});
+    const PixelReadout readout = read_pixel(session, *session.selection().pinned(), Convention{});
     const double angle = shown_angle(session);
     std::vector<PageCurve> curves;
     PageCurve s0{"S0", {}, {}, 0.0, 0.0, false};
-    for (const WavelengthReading& at : reading.wavelengths) {
+    for (const WavelengthReadout& at : readout.wavelengths) {
         const double value = at.light.stokes.s0;
         const auto bars = stokes_bars(at.light);
         const NumberText text =
@@ -355,13 +355,13 @@ std::vector<PageCurve> spectrum_curves(const Session& session) {
         const QuantityInfo& about = info(quantity);
         PageCurve curve{std::string(about.title), {}, {}, about.low, about.high, about.kind == ScaleKind::cyclic};
         if (!about.unit.empty()) curve.name += fmt::format(" ({})", about.unit);
-        for (const WavelengthReading& at : reading.wavelengths) {
+        for (const WavelengthReadout& at : readout.wavelengths) {
             PixelLight light = at.light;
             light.stokes = session.view().convention.stokes(rotate_basis(at.light.stokes, angle));
-            const QuantityReading shown = read_light(light, quantity, 1.0);
+            const QuantityReadout shown = read_light(light, quantity, 1.0);
             const MapPixel& pixel = shown.pixel;
             curve.values.push_back(pixel.state == PixelState::defined ? std::optional(pixel.value) : std::nullopt);
-            curve.texts.push_back(reading_text(quantity, shown));
+            curve.texts.push_back(readout_text(quantity, shown));
         }
         curves.push_back(std::move(curve));
     }

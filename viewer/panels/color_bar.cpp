@@ -10,7 +10,7 @@
 
 #include "core/units.h"
 #include "report/bar_ticks.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/session/map_look.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"

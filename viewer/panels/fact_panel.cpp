@@ -7,7 +7,7 @@
 #include <string>
 
 #include "viewer/pages/fact_page.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/panels/tree_state.h"
 #include "viewer/widgets/copyable.h"
 #include "viewer/widgets/theme.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/session/map_look.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"

@@ -9,41 +9,41 @@
 #include <string>
 
 #include "maps/error_bars.h"
-#include "viewer/pages/pixel_reading.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/pixel_readout.h"
+#include "viewer/pages/readout_text.h"
 
 namespace pol {
 
 namespace {
 
-std::string first_line(const Session& session, const PixelReading& reading, bool is_pinned) {
+std::string first_line(const Session& session, const PixelReadout& readout, bool is_pinned) {
     const Quantity quantity = session.view().quantity;
     const StokesImage& picture = session.current()->picture();
-    const std::string place = fmt::format("x {}  y {}{}", picture.left + reading.address.x,
-                                          picture.top + reading.address.y, is_pinned ? " (pinned)" : "");
+    const std::string place = fmt::format("x {}  y {}{}", picture.left + readout.address.x,
+                                          picture.top + readout.address.y, is_pinned ? " (pinned)" : "");
     const std::string polarimeter = session.polarimeter().empty() ? "" : "  behind the polarimeter";
     if (quantity == Quantity::color) {
         const double size =
-            std::max({std::abs(reading.color[0]), std::abs(reading.color[1]), std::abs(reading.color[2])});
-        return fmt::format("{}  linear sRGB {}  {}  {}{}", place, short_number(reading.color[0], 4, size),
-                           short_number(reading.color[1], 4, size), short_number(reading.color[2], 4, size),
+            std::max({std::abs(readout.color[0]), std::abs(readout.color[1]), std::abs(readout.color[2])});
+        return fmt::format("{}  linear sRGB {}  {}  {}{}", place, short_number(readout.color[0], 4, size),
+                           short_number(readout.color[1], 4, size), short_number(readout.color[2], 4, size),
                            polarimeter);
     }
-    const double nm = reading.wavelengths[session.view().wavelength].wavelength_nm;
+    const double nm = readout.wavelengths[session.view().wavelength].wavelength_nm;
     if (session.comparison()) {
         const ShownQuantity both = session.shown_quantity();
-        const std::size_t pixel = session.current()->picture().pixel(reading.address.x, reading.address.y);
+        const std::size_t pixel = session.current()->picture().pixel(readout.address.x, readout.address.y);
         return fmt::format("{}  {} {} minus {}: {}  {:.6g} nm{}", place, info(quantity).title,
                            value_text(quantity, both.own(pixel), 6), value_text(quantity, both.of_reference(pixel), 6),
-                           reading_text(quantity, both.reading(pixel)), nm, polarimeter);
+                           readout_text(quantity, both.readout(pixel)), nm, polarimeter);
     }
-    const QuantityReading value = reading.quantity(quantity, session.view().wavelength);
-    return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, reading_text(quantity, value), nm,
+    const QuantityReadout value = readout.quantity(quantity, session.view().wavelength);
+    return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, readout_text(quantity, value), nm,
                        polarimeter);
 }
 
-std::string second_line(const Session& session, const PixelReading& reading) {
-    const PixelLight& light = reading.wavelengths[session.view().wavelength].light;
+std::string second_line(const Session& session, const PixelReadout& readout) {
+    const PixelLight& light = readout.wavelengths[session.view().wavelength].light;
     const Stokes<double>& s = light.stokes;
     const auto bars = stokes_bars(light);
     const auto number = [&](double value, Interval<double> MeasureBounds<double>::*bar) {
@@ -54,8 +54,8 @@ std::string second_line(const Session& session, const PixelReading& reading) {
     std::string text = fmt::format("S0 {}  S1 {}  S2 {}  S3 {}", number(s.s0, &Bars::s0), number(s.s1, &Bars::s1),
                                    number(s.s2, &Bars::s2), number(s.s3, &Bars::s3));
     text += fmt::format("  not traced {}", short_number(light.residual, 3));
-    if (reading.samples) text += fmt::format("  samples {}", *reading.samples);
-    if (reading.failures && *reading.failures > 0) text += fmt::format("  failed {}", *reading.failures);
+    if (readout.samples) text += fmt::format("  samples {}", *readout.samples);
+    if (readout.failures && *readout.failures > 0) text += fmt::format("  failed {}", *readout.failures);
     if (session.view().convention != Convention{}) text += "  " + session.view().convention.stokes_text();
     // The inspector may write the same light in another frame.
     if (session.page().frame != FrameChoice::camera) text += "  camera frame";
@@ -75,9 +75,9 @@ void draw_hover_readout(const Session& session) {
         ImGui::TextDisabled("Click a pixel to pin it; drag to pan; wheel to zoom; Shift and drag for a region");
         return;
     }
-    const PixelReading reading = read_pixel(session, *at);
-    ImGui::TextUnformatted(first_line(session, reading, !hovered).c_str());
-    ImGui::TextUnformatted(second_line(session, reading).c_str());
+    const PixelReadout readout = read_pixel(session, *at);
+    ImGui::TextUnformatted(first_line(session, readout, !hovered).c_str());
+    ImGui::TextUnformatted(second_line(session, readout).c_str());
 }
 
 }  // namespace pol

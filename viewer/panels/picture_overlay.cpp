@@ -10,7 +10,7 @@
 
 #include "maps/color_picture.h"
 #include "viewer/pages/pixel_page.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/shown/shown_quantity.h"
 #include "viewer/widgets/ink.h"
 
@@ -54,10 +54,10 @@ public:
             return fmt::format("{}\n{}\n{}", short_number(color[0], 3, size), short_number(color[1], 3, size),
                                short_number(color[2], 3, size));
         }
-        const QuantityReading reading = quantity_->reading(pixel);
-        switch (reading.pixel.state) {
+        const QuantityReadout readout = quantity_->readout(pixel);
+        switch (readout.pixel.state) {
             case PixelState::defined:
-                return number_text(reading.pixel.value, reading.bar, reading.rounding, 3, "").value;
+                return number_text(readout.pixel.value, readout.bar, readout.rounding, 3, "").value;
             case PixelState::undetermined:
                 return "?";
             case PixelState::not_a_number:

@@ -11,7 +11,7 @@
 
 namespace pol {
 
-/// The picture with what is drawn over it, its color bar, the reading under the cursor, and the mouse in it: the wheel
+/// The picture with what is drawn over it, its color bar, the readout under the cursor, and the mouse in it: the wheel
 /// zooms at the cursor, dragging pans, a click pins, Shift and dragging draws a region. With Alt, they move the camera
 /// of a scene: dragging orbits, Shift and dragging pans it, the wheel dollies.
 class PicturePanel {

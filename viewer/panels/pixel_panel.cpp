@@ -7,7 +7,7 @@
 
 #include "core/units.h"
 #include "viewer/pages/pixel_page.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/panels/spectrum_plot.h"
 #include "viewer/session/pixel_export.h"
 #include "viewer/widgets/copyable.h"

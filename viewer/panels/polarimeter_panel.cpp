@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/units.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/widgets/dial.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"

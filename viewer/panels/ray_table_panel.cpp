@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/panels/tree_state.h"
 #include "viewer/session/pixel_export.h"
 #include "viewer/widgets/tracers_convention.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 
 namespace pol {
 

@@ -11,7 +11,7 @@
 
 #include "core/units.h"
 #include "maps/color_scale.h"
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 

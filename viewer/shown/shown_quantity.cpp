@@ -19,11 +19,11 @@ std::optional<MeasureBounds<double>> stokes_bars(const PixelLight& light) {
     return light.stokes.s0 >= 0.0 ? error_bars(light) : std::nullopt;
 }
 
-QuantityReading read_light(const PixelLight& light, Quantity quantity, double d65) {
-    QuantityReading reading{evaluate_light(light, quantity, d65), error_bar(light, quantity, d65), 0.0};
+QuantityReadout read_light(const PixelLight& light, Quantity quantity, double d65) {
+    QuantityReadout readout{evaluate_light(light, quantity, d65), error_bar(light, quantity, d65), 0.0};
     const QuantityInfo& about = info(quantity);
-    reading.rounding = about.is_over_d65 ? rounding_of(light) / d65 : pixel_noise * about.rounding_size;
-    return reading;
+    readout.rounding = about.is_over_d65 ? rounding_of(light) / d65 : pixel_noise * about.rounding_size;
+    return readout;
 }
 
 ShownQuantity::ShownQuantity(const StokesImage& picture, const ViewSettings& view, const Polarimeter& polarimeter,
@@ -42,11 +42,11 @@ MapPixel ShownQuantity::at(std::size_t pixel) const {
     return reference_ ? difference(quantity_, own, value(*reference_, reference_wavelength_, pixel)) : own;
 }
 
-QuantityReading ShownQuantity::reading(std::size_t pixel) const {
-    const QuantityReading a = own(pixel);
+QuantityReadout ShownQuantity::readout(std::size_t pixel) const {
+    const QuantityReadout a = own(pixel);
     if (!reference_) return a;
-    const QuantityReading b = of_reference(pixel);
-    QuantityReading by{difference(quantity_, a.pixel, b.pixel), std::nullopt, a.rounding + b.rounding};
+    const QuantityReadout b = of_reference(pixel);
+    QuantityReadout by{difference(quantity_, a.pixel, b.pixel), std::nullopt, a.rounding + b.rounding};
     if (by.pixel.state != PixelState::defined || !a.bar || !b.bar) return by;
     // Around the difference itself, which of azimuths is that of lines.
     const double plain = a.pixel.value - b.pixel.value;
@@ -55,7 +55,7 @@ QuantityReading ShownQuantity::reading(std::size_t pixel) const {
     return by;
 }
 
-QuantityReading ShownQuantity::read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
+QuantityReadout ShownQuantity::read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
     if (info(quantity_).is_over_d65 && !d65_) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
     return read_light(picture.light(wavelength, pixel), quantity_, d65_.value_or(1.0));
 }

@@ -13,7 +13,7 @@
 namespace pol {
 
 /// One quantity with its rigorous bar, both in the quantity's unit.
-struct QuantityReading {
+struct QuantityReadout {
     MapPixel pixel{};
     std::optional<Interval<double>> bar;  ///< as error_bar (maps/error_bars.h)
     double rounding = 0.0;                ///< a value of at most this size is nothing but rounding
@@ -24,7 +24,7 @@ double rounding_of(const PixelLight& light);
 /// Bars of the components. Empty where nothing is bounded: as error_bars, or S0 is negative.
 std::optional<MeasureBounds<double>> stokes_bars(const PixelLight& light);
 /// `quantity` of some light with its bar; `d65` as in maps::evaluate_light. Requires: quantity is not `color`.
-QuantityReading read_light(const PixelLight& light, Quantity quantity, double d65);
+QuantityReadout read_light(const PixelLight& light, Quantity quantity, double d65);
 
 /// A picture that another one is held against, and which of its wavelengths is compared.
 struct ReferencePicture {
@@ -43,15 +43,15 @@ public:
     /// The number on screen.
     [[nodiscard]] MapPixel at(std::size_t pixel) const;
     /// The same with its bar; that of a difference is as wide as both bars together.
-    [[nodiscard]] QuantityReading reading(std::size_t pixel) const;
-    [[nodiscard]] QuantityReading own(std::size_t pixel) const { return read(picture_, wavelength_, pixel); }
+    [[nodiscard]] QuantityReadout readout(std::size_t pixel) const;
+    [[nodiscard]] QuantityReadout own(std::size_t pixel) const { return read(picture_, wavelength_, pixel); }
     /// Requires: there is a reference.
-    [[nodiscard]] QuantityReading of_reference(std::size_t pixel) const {
+    [[nodiscard]] QuantityReadout of_reference(std::size_t pixel) const {
         return read(*reference_, reference_wavelength_, pixel);
     }
 
 private:
-    [[nodiscard]] QuantityReading read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const;
+    [[nodiscard]] QuantityReadout read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const;
     [[nodiscard]] MapPixel value(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const;
 
     Quantity quantity_;

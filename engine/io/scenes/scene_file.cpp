@@ -34,7 +34,7 @@ Error file_error(const fs::path& path, std::string what, std::string hint) {
 }
 
 /// Everything that reading one scene and its includes shares.
-struct Reading {
+struct OpenScene {
     Scene scene;
     std::map<std::string, Place> places;
     fs::path assets;
@@ -107,24 +107,24 @@ double read_unit(const YamlValue& value) {
     return unit == "nm" ? 1.0 : unit == "um" ? 1e3 : unit == "mm" ? 1e6 : unit == "cm" ? 1e7 : 1e9;
 }
 
-void read_include(Reading& reading, const YamlValue& value, const AssetFolders& folders);
+void read_include(OpenScene& open, const YamlValue& value, const AssetFolders& folders);
 
 /// Media and objects of one file, then those of its includes.
-void read_contents(Reading& reading, const YamlMap& map, const fs::path& folder) {
-    const AssetFolders folders{folder, reading.assets};
+void read_contents(OpenScene& open, const YamlMap& map, const fs::path& folder) {
+    const AssetFolders folders{folder, open.assets};
     if (const auto media = map.find("media")) {
         for (const auto& [name, value] : media->entries()) {
-            reading.scene.media.push_back(read_medium(name, value, folders));
+            open.scene.media.push_back(read_medium(name, value, folders));
         }
     }
     if (const auto objects = map.find("objects")) {
-        const std::size_t first = reading.scene.objects.size();
+        const std::size_t first = open.scene.objects.size();
         for (const YamlValue& value : objects->list(first)) {
-            reading.scene.objects.push_back(read_object(value, folders));
+            open.scene.objects.push_back(read_object(value, folders));
         }
     }
     if (const auto include = map.find("include")) {
-        for (const YamlValue& file : include->list()) read_include(reading, file, folders);
+        for (const YamlValue& file : include->list()) read_include(open, file, folders);
     }
 }
 
@@ -134,20 +134,20 @@ std::string chain_text(const std::vector<fs::path>& chain, const fs::path& last)
     return text + last.filename().string();
 }
 
-void read_include(Reading& reading, const YamlValue& value, const AssetFolders& folders) {
+void read_include(OpenScene& open, const YamlValue& value, const AssetFolders& folders) {
     const fs::path path = find_asset(value, folders, "scenes");
     const fs::path canonical = fs::canonical(path);
-    if (std::find(reading.chain.begin(), reading.chain.end(), canonical) != reading.chain.end()) {
-        value.fail("the file includes itself: " + chain_text(reading.chain, canonical), "remove this include");
+    if (std::find(open.chain.begin(), open.chain.end(), canonical) != open.chain.end()) {
+        value.fail("the file includes itself: " + chain_text(open.chain, canonical), "remove this include");
     }
     const Result<std::string> text = read_scene_text(path);
     if (!text) value.fail(text.error().what, text.error().hint);
 
-    const YamlFile file{path.string(), static_cast<int>(reading.scene.files.size()), &reading.places};
-    reading.scene.files.push_back(file.name);
-    reading.chain.push_back(canonical);
-    read_contents(reading, yaml_document(text.value(), file).map({"include", "media", "objects"}), path.parent_path());
-    reading.chain.pop_back();
+    const YamlFile file{path.string(), static_cast<int>(open.scene.files.size()), &open.places};
+    open.scene.files.push_back(file.name);
+    open.chain.push_back(canonical);
+    read_contents(open, yaml_document(text.value(), file).map({"include", "media", "objects"}), path.parent_path());
+    open.chain.pop_back();
 }
 
 /// Place of the value that `field` names, or of the nearest value that contains it.
@@ -161,17 +161,17 @@ Place place_of_field(const std::map<std::string, Place>& places, std::string fie
     }
 }
 
-Scene read_scene(Reading& reading, const std::string& text, const std::string& file_name, const fs::path& base_dir) {
-    const YamlFile file{file_name, 0, &reading.places};
-    reading.scene.files = {file_name};
+Scene read_scene(OpenScene& open, const std::string& text, const std::string& file_name, const fs::path& base_dir) {
+    const YamlFile file{file_name, 0, &open.places};
+    open.scene.files = {file_name};
     std::error_code error;
     const fs::path canonical = fs::canonical(file_name, error);
-    reading.chain = {error ? fs::path(file_name) : canonical};
+    open.chain = {error ? fs::path(file_name) : canonical};
 
     const YamlMap map =
         yaml_document(text, file)
             .map({"title", "unit", "include", "camera", "render", "background", "ambient", "media", "objects"});
-    Scene& scene = reading.scene;
+    Scene& scene = open.scene;
     if (const auto title = map.find("title")) scene.title = title->text();
     if (const auto unit = map.find("unit")) scene.unit_nm = read_unit(*unit);
     scene.camera = read_camera(map.at("camera"));
@@ -181,10 +181,10 @@ Scene read_scene(Reading& reading, const std::string& text, const std::string& f
     }
     if (const auto ambient = map.find("ambient")) scene.ambient = ambient->text();
     static_cast<void>(map.at("objects"));
-    read_contents(reading, map, base_dir);
+    read_contents(open, map, base_dir);
 
     if (std::optional<Error> problem = first_problem(scene)) {
-        const Place place = place_of_field(reading.places, problem->field);
+        const Place place = place_of_field(open.places, problem->field);
         if (place.line > 0) problem->place = place;
         if (problem->place.file.empty()) problem->place.file = file_name;
         throw YamlComplaint{*problem};
@@ -199,10 +199,10 @@ Result<std::string> read_scene_text(const fs::path& path) {
 }
 
 Result<Scene> parse_scene(const std::string& text, const std::string& file_name, const fs::path& base_dir) {
-    Reading reading;
+    OpenScene open;
     try {
-        reading.assets = assets_dir();
-        return read_scene(reading, text, file_name, base_dir);
+        open.assets = assets_dir();
+        return read_scene(open, text, file_name, base_dir);
     } catch (const YamlComplaint& complaint) {
         return complaint.error;
     } catch (const std::exception& error) {

@@ -16,7 +16,7 @@
 
 namespace pol {
 
-struct WavelengthReading {
+struct WavelengthReadout {
     double wavelength_nm = 0.0;
     PixelLight light{};         ///< behind the polarimeter, in the convention asked for
     double tail = 0.0;          ///< share of the throughput that random paths stand for
@@ -24,22 +24,22 @@ struct WavelengthReading {
     std::optional<double> d65;  ///< CIE D65 there; none outside its table
 };
 
-struct PixelReading {
+struct PixelReadout {
     PixelAddress address{};
-    std::vector<WavelengthReading> wavelengths;  ///< as in the picture
+    std::vector<WavelengthReadout> wavelengths;  ///< as in the picture
     Rgb color{};                                 ///< linear sRGB
     std::optional<std::uint32_t> samples;        ///< none: the picture does not say
     std::optional<std::uint32_t> failures;       ///< samples whose arithmetic failed
 
     /// `quantity` at one wavelength as maps::evaluate_light has it; `undefined` for the intensity where D65 is not
     /// known. Requires: quantity is not `color`, wavelength < wavelengths.size().
-    [[nodiscard]] QuantityReading quantity(Quantity quantity, std::size_t wavelength) const;
+    [[nodiscard]] QuantityReadout quantity(Quantity quantity, std::size_t wavelength) const;
 };
 
 /// Reads a pixel of the session's current picture. Requires: current() is not null, `address` lies inside the picture.
-PixelReading read_pixel(const Session& session, PixelAddress address, const Convention& convention);
+PixelReadout read_pixel(const Session& session, PixelAddress address, const Convention& convention);
 /// The same in the shown convention.
-inline PixelReading read_pixel(const Session& session, PixelAddress address) {
+inline PixelReadout read_pixel(const Session& session, PixelAddress address) {
     return read_pixel(session, address, session.view().convention);
 }
 

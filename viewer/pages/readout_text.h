@@ -8,7 +8,7 @@
 
 #include "maps/evaluate.h"
 #include "maps/quantity.h"
-#include "viewer/pages/pixel_reading.h"
+#include "viewer/pages/pixel_readout.h"
 
 namespace pol {
 
@@ -33,9 +33,9 @@ NumberText number_text(double value, const std::optional<Interval<double>>& bar,
 std::string interval_text(const Interval<double>& bar, double rounding, std::string_view unit);
 
 /// "0.8312 ± 0.0021", "0.998 [0.531, 0.998]", "12.5° ± 0.3°", "not determined [0.2, 1]".
-std::string reading_text(Quantity quantity, const QuantityReading& reading);
+std::string readout_text(Quantity quantity, const QuantityReadout& readout);
 /// Its number without the bar.
-std::string value_text(Quantity quantity, const QuantityReading& reading, int digits);
+std::string value_text(Quantity quantity, const QuantityReadout& readout, int digits);
 
 /// At most `digits` significant digits, without trailing zeros and without "-0".
 std::string short_number(double value, int digits);

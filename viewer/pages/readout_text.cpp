@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "viewer/pages/reading_text.h"
+#include "viewer/pages/readout_text.h"
 
 #include <fmt/format.h>
 
@@ -137,19 +137,19 @@ std::string interval_text(const Interval<double>& bar, double rounding, std::str
     return ends.width() > 0.0 ? interval_text(ends, interval_step(ends), unit) : std::string();
 }
 
-std::string reading_text(Quantity quantity, const QuantityReading& reading) {
+std::string readout_text(Quantity quantity, const QuantityReadout& readout) {
     const std::string_view unit = info(quantity).unit;
-    NumberText text{std::string(state_text(reading.pixel.state)), {}};
-    if (reading.pixel.state == PixelState::defined)
-        text = number_text(reading.pixel.value, reading.bar, reading.rounding, 6, unit);
-    else if (reading.pixel.state == PixelState::undetermined && reading.bar)
-        text.bar = interval_text(*reading.bar, reading.rounding, unit);
+    NumberText text{std::string(state_text(readout.pixel.state)), {}};
+    if (readout.pixel.state == PixelState::defined)
+        text = number_text(readout.pixel.value, readout.bar, readout.rounding, 6, unit);
+    else if (readout.pixel.state == PixelState::undetermined && readout.bar)
+        text.bar = interval_text(*readout.bar, readout.rounding, unit);
     return text.bar.empty() ? text.value : text.value + " " + text.bar;
 }
 
-std::string value_text(Quantity quantity, const QuantityReading& reading, int digits) {
-    if (reading.pixel.state != PixelState::defined) return std::string(state_text(reading.pixel.state));
-    return number_text(reading.pixel.value, reading.bar, reading.rounding, digits, info(quantity).unit).value;
+std::string value_text(Quantity quantity, const QuantityReadout& readout, int digits) {
+    if (readout.pixel.state != PixelState::defined) return std::string(state_text(readout.pixel.state));
+    return number_text(readout.pixel.value, readout.bar, readout.rounding, digits, info(quantity).unit).value;
 }
 
 }  // namespace pol
