@@ -66,7 +66,9 @@ std::string arguments_of(const CommandEntry& command) {
         const std::string value =
             option.type.empty() ? std::string() : ':' + quoted(option.type) + ':' + action_of(option.values);
         if (option.is_argument) {
-            out += std::string(" \\\n        '") + (option.repeated ? "*" : "") + value + '\'';
+            out += " \\\n        '";
+            if (option.repeated) out += '*';
+            out += value + '\'';
             continue;
         }
         std::string others;
@@ -74,11 +76,12 @@ std::string arguments_of(const CommandEntry& command) {
         for (const std::string& name : option.names) {
             // A value may follow as a word of its own or, with a long name, behind "=".
             const bool is_long = name.starts_with("--");
-            out += " \\\n        '" + (option.repeated ? "*" : others + ")") + name +
-                   (value.empty() ? ""
-                    : is_long     ? "="
-                                  : "+") +
-                   '[' + quoted(option.description) + ']' + value + '\'';
+            out += " \\\n        '";
+            out += option.repeated ? "*" : others + ")";
+            out += name;
+            if (!value.empty()) out += is_long ? "=" : "+";
+            out += '[' + quoted(option.description) + ']';
+            out += value + '\'';
         }
     }
     return out;

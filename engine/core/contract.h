@@ -14,6 +14,12 @@ namespace pol::detail {
 
 }  // namespace pol::detail
 
+#if defined(__FILE_NAME__)
+#define POL_FILE __FILE_NAME__  // and not where somebody built it
+#else
+#define POL_FILE __FILE__
+#endif
+
 /// Aborts with file and line if `condition` is false, in every build.
 #define POL_EXPECTS(condition) \
-    ((condition) ? static_cast<void>(0) : ::pol::detail::contract_broken(#condition, __FILE__, __LINE__))
+    ((condition) ? static_cast<void>(0) : ::pol::detail::contract_broken(#condition, POL_FILE, __LINE__))

@@ -2,7 +2,7 @@
 // Jones calculus: fully polarized fields and what acts on them. Fields vary as exp(i(k.r - omega t)).
 #pragma once
 
-#include <cstddef>
+#include <concepts>
 
 #include "core/complex.h"
 
@@ -23,8 +23,14 @@ struct JonesMatrix {
 
     static constexpr JonesMatrix identity() { return {{{Real(1), Real(0)}, {Real(0), Real(1)}}}; }
 
-    constexpr auto& operator[](std::size_t row) { return m[row]; }
-    constexpr const auto& operator[](std::size_t row) const { return m[row]; }
+    template <std::integral Index>
+    constexpr auto& operator[](Index row) {
+        return m[row];
+    }
+    template <std::integral Index>
+    constexpr const auto& operator[](Index row) const {
+        return m[row];
+    }
     constexpr auto* begin() { return m; }
     constexpr auto* end() { return m + 2; }
     constexpr const auto* begin() const { return m; }

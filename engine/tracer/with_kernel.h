@@ -8,22 +8,6 @@
 
 namespace pol {
 
-template <bool anisotropic, bool absorbing>
-class PlanForKernel;
-
-/// Calls use(PlanForKernel<anisotropic, absorbing>), of which a Tracer is made, with what plan.kernel() says. The plan
-/// must outlive what `use` makes of it.
-template <class Use>
-decltype(auto) with_kernel(const Plan& plan, Use&& use) {
-    const Kernel kernel = plan.kernel();
-    if (kernel.anisotropic) {
-        if (kernel.absorbing) return std::forward<Use>(use)(PlanForKernel<true, true>(plan));
-        return std::forward<Use>(use)(PlanForKernel<true, false>(plan));
-    }
-    if (kernel.absorbing) return std::forward<Use>(use)(PlanForKernel<false, true>(plan));
-    return std::forward<Use>(use)(PlanForKernel<false, false>(plan));
-}
-
 /// A plan, and in its type the kernel that it needs. Only with_kernel() makes one: a crystal is never traced as glass.
 template <bool anisotropic, bool absorbing>
 class PlanForKernel {
@@ -37,5 +21,18 @@ private:
 
     const Plan& plan_;
 };
+
+/// Calls use(PlanForKernel<anisotropic, absorbing>), of which a Tracer is made, with what plan.kernel() says. The plan
+/// must outlive what `use` makes of it.
+template <class Use>
+decltype(auto) with_kernel(const Plan& plan, Use&& use) {
+    const Kernel kernel = plan.kernel();
+    if (kernel.anisotropic) {
+        if (kernel.absorbing) return std::forward<Use>(use)(PlanForKernel<true, true>(plan));
+        return std::forward<Use>(use)(PlanForKernel<true, false>(plan));
+    }
+    if (kernel.absorbing) return std::forward<Use>(use)(PlanForKernel<false, true>(plan));
+    return std::forward<Use>(use)(PlanForKernel<false, false>(plan));
+}
 
 }  // namespace pol
