@@ -5,6 +5,7 @@
 
 uniform float brightest;    // trace bound of the light that any path can bring
 uniform float d65;          // 0: not known
+uniform bool is_measured;    // the Stokes components that the quantity needs are known
 uniform float noise;        // pixel_noise
 uniform float full_weight;  // full_weight_polarization
 
@@ -35,6 +36,7 @@ MapPixel empty(int state) {
 
 // evaluate_light of engine/maps/evaluate.cpp.
 MapPixel evaluate(Light light) {
+    if (!is_measured) return empty(state_not_measured);
     if (quantity == quantity_intensity) return d65 == 0.0 ? empty(state_undefined) : number(light.stokes.x / d65);
     if (quantity == quantity_residual) return number(light.residual);
     if (quantity == quantity_unphysical) return number(light.unphysical);

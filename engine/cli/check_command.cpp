@@ -46,7 +46,7 @@ void print(const ordered_json& report) {
 // Pictures.
 
 void print_text(const std::string& file, const StokesImage& image, const ImageReport& report) {
-    const std::size_t planes = image.wavelengths_nm.size();
+    const std::size_t planes = image.bands.size();
     const bool is_crop = image.left != 0 || image.top != 0;
     fmt::print("{}: {}x{} pixels{}, {} {}\n\n", file, image.width, image.height,
                is_crop ? fmt::format(" from pixel {},{} of the picture on", image.left, image.top) : "", planes,
@@ -54,8 +54,8 @@ void print_text(const std::string& file, const StokesImage& image, const ImageRe
     for (const ImageDefect& defect : report.defects) {
         fmt::print("{:<46}{:>10}  {}", defect.name, defect.count, defect.count == 0 ? "pass" : "FAIL");
         if (defect.worst)
-            fmt::print("   worst: pixel {},{} at {} nm, {} = {:.6g}", defect.worst->x, defect.worst->y,
-                       defect.worst->wavelength_nm, defect.value_name, defect.worst->value);
+            fmt::print("   worst: pixel {},{} at {}, {} = {:.6g}", defect.worst->x, defect.worst->y,
+                       image.bands[defect.worst->band].label(), defect.value_name, defect.worst->value);
         fmt::print("\n");
     }
     const verify::DopStatistics& dop = report.dop;
@@ -69,6 +69,12 @@ void print_text(const std::string& file, const StokesImage& image, const ImageRe
     for (const std::string& remark : report.remarks) fmt::print("note: {}\n", remark);
 }
 
+std::vector<std::string> band_names(const StokesImage& image) {
+    std::vector<std::string> names;
+    for (const Band& band : image.bands) names.push_back(band.label());
+    return names;
+}
+
 ordered_json as_json(const std::string& file, const StokesImage& image, const ImageReport& report) {
     ordered_json out{{"file", file},
                      {"width", image.width},
@@ -76,13 +82,13 @@ ordered_json as_json(const std::string& file, const StokesImage& image, const Im
                      {"first_pixel", {image.left, image.top}},
                      {"bits", image.stored.bits},
                      {"lossy_compression", image.stored.lossy},
-                     {"wavelengths_nm", image.wavelengths_nm},
+                     {"bands", band_names(image)},
                      {"physical", report.physical()}};
     for (const ImageDefect& defect : report.defects) {
         ordered_json entry{{"name", defect.name}, {"count", defect.count}};
         if (defect.worst)
             entry["worst"] = {{"pixel", {defect.worst->x, defect.worst->y}},
-                              {"wavelength_nm", defect.worst->wavelength_nm},
+                              {"band", image.bands[defect.worst->band].label()},
                               {"what", defect.value_name},
                               {"value", defect.worst->value}};
         out["defects"].push_back(entry);

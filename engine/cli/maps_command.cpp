@@ -86,7 +86,7 @@ Result<MapOptions> wanted_options(const Request& request) {
 /// Index of the plane that the user asks for, or of the default one.
 Result<std::size_t> wanted_wavelength(const StokesImage& image, std::optional<double> asked_nm) {
     constexpr double same_nm = 1e-3;
-    const std::vector<double>& known = image.wavelengths_nm;
+    const std::vector<double> known = wavelengths_of(image.bands);
     const std::size_t nearest = nearest_wavelength(known, asked_nm.value_or(default_wavelength_nm));
     if (asked_nm && !(std::abs(known[nearest] - *asked_nm) <= same_nm)) {
         if (const auto problem = wavelength_problem(*asked_nm))

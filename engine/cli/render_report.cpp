@@ -163,8 +163,8 @@ void print_picture(const RenderRequest& request, const RenderOutcome& outcome, c
     const RenderStatistics& statistics = outcome.progress.statistics;
     const double samples = static_cast<double>(statistics.samples) / static_cast<double>(image.pixel_count());
     fmt::print("{}: {}x{}, {} wavelength{}, {}{}, {} rays, untraced at most {:.3g} % of a pixel{}\n",
-               printable(request.output), image.width, image.height, image.wavelengths_nm.size(),
-               image.wavelengths_nm.size() == 1 ? "" : "s",
+               printable(request.output), image.width, image.height, image.bands.size(),
+               image.bands.size() == 1 ? "" : "s",
                samples != 1.0 ? fmt::format("{:.3g} samples per pixel, ", samples) : "", duration_text(outcome.seconds),
                count_text(statistics.nodes), 100.0 * largest(image.residual), guessed);
     if (outcome.progress.reason != StopReason::error) return;

@@ -19,6 +19,10 @@ StokesComponents known_behind(const MuellerMatrix<double>& element, StokesCompon
     return behind;
 }
 
+Stokes<double> only(StokesComponents known, const Stokes<double>& s) {
+    return {known.has(0) ? s.s0 : 0.0, known.has(1) ? s.s1 : 0.0, known.has(2) ? s.s2 : 0.0, known.has(3) ? s.s3 : 0.0};
+}
+
 std::string Band::label() const {
     if (!wavelength_nm) return name;
     std::array<char, 32> text{};
@@ -35,6 +39,16 @@ std::vector<Band> bands_at(const std::vector<double>& wavelengths_nm) {
 
 Band named_band(std::string_view name, StokesComponents known) {
     return {std::nullopt, std::string(name), known};
+}
+
+std::optional<std::size_t> matching_band(const std::vector<Band>& bands, const Band& wanted) {
+    constexpr double same_nm = 1e-6;
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        const std::optional<double>& nm = bands[b].wavelength_nm;
+        if (nm.has_value() != wanted.wavelength_nm.has_value()) continue;
+        if (nm ? std::abs(*nm - *wanted.wavelength_nm) <= same_nm : bands[b].name == wanted.name) return b;
+    }
+    return std::nullopt;
 }
 
 std::vector<double> wavelengths_of(const std::vector<Band>& bands) {

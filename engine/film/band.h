@@ -45,6 +45,9 @@ private:
 /// |M_ij| is at most rounding (1e-12) of the largest |M| for every unknown j.
 StokesComponents known_behind(const MuellerMatrix<double>& element, StokesComponents known);
 
+/// The vector with 0 for what is not in `known`.
+Stokes<double> only(StokesComponents known, const Stokes<double>& s);
+
 /// A wavelength, or a name where there is none: a wavelength is never invented for "R" or "mono".
 struct Band {
     std::optional<double> wavelength_nm;
@@ -61,6 +64,10 @@ struct Band {
 std::vector<Band> bands_at(const std::vector<double>& wavelengths_nm);
 /// A band without a wavelength.
 Band named_band(std::string_view name, StokesComponents known = StokesComponents::all());
+
+/// The band of `bands` that is `wanted`: of the same wavelength to 1e-6 nm (files keep them as decimal texts), or
+/// without one and of the same name.
+std::optional<std::size_t> matching_band(const std::vector<Band>& bands, const Band& wanted);
 
 /// The wavelengths if every band has one, else empty.
 std::vector<double> wavelengths_of(const std::vector<Band>& bands);

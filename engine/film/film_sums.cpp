@@ -61,7 +61,7 @@ StokesImage FilmSums::empty_image(int width, int height, const FilmPlanes& prese
     StokesImage image;
     image.width = width;
     image.height = height;
-    image.wavelengths_nm = layout.wavelengths_nm;
+    image.bands = bands_at(layout.wavelengths_nm);
     image.brightest = layout.brightest;
     if (!layout.title.empty()) image.attributes["title"] = layout.title;
     const std::size_t pixels = image.pixel_count();

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "film/band.h"
 #include "polarization/stokes.h"
+#include "polarization/stokes_convention.h"
 
 namespace pol {
 
@@ -24,19 +26,33 @@ struct StoredNumbers {
     [[nodiscard]] double step() const { return bits == 32 ? 0x1p-149 : bits == 24 ? 0x1p-141 : 0x1p-24; }
 };
 
+/// What a reader knows of a picture that it read beside the numbers. A picture made here has an empty one.
+struct PictureOrigin {
+    std::string layout;  ///< how the file was understood: "Mitsuba 3, mono"
+    /// What the numbers of the file were taken to be; they are in ours in memory (read_in).
+    StokesConvention convention;
+    /// What the file does not say and the reader took for granted: one sentence each, for the user to judge.
+    std::vector<std::string> assumed;
+    std::vector<std::string> remarks;  ///< what was mended, or is lost: one sentence each
+    friend bool operator==(const PictureOrigin&, const PictureOrigin&) = default;
+};
+
 /// Mean over the samples of each pixel, in the camera frame: x = image right, y = image up, both made transverse to the
 /// pixel's ray, k towards the camera. Row 0 is the top row.
 ///
-/// Planes are indexed by wavelength: stokes[w * pixel_count() + y * width + x]. A plane set that the picture does not
-/// have (a foreign file, a scene without it) is empty. `residual` and `tail` have one plane per wavelength, or a single
-/// plane if all wavelengths share one tree (plane_of).
+/// Planes are indexed by band: stokes[b * pixel_count() + y * width + x]. A plane set that the picture does not have (a
+/// foreign file, a scene without it) is empty. `residual` and `tail` have one plane per band, or a single plane if all
+/// bands share one tree (plane_value).
 struct StokesImage {
     int width = 0;
     int height = 0;
     /// Place of the first column and row in the whole picture, of which a file may hold a part only.
     int left = 0;
     int top = 0;
-    std::vector<double> wavelengths_nm;  ///< ascending
+    /// Size of the whole picture; 0: it is no larger than this.
+    int whole_width = 0;
+    int whole_height = 0;
+    std::vector<Band> bands;  ///< those with a wavelength ascend
     std::vector<Stokes<double>> stokes;
     StoredNumbers stored;  ///< of `stokes`
     /// Share of the pixel's throughput that was not traced, 0 to 1; the missing coherence matrix is positive
@@ -51,10 +67,11 @@ struct StokesImage {
     /// Samples that each pixel has, one plane; samples whose arithmetic failed, one plane.
     std::vector<std::uint32_t> samples;
     std::vector<std::uint32_t> failures;
-    /// Trace bound of the light that any path can bring, per wavelength: L_max, or 2 L_max with polarized emitters.
+    /// Trace bound of the light that any path can bring, per band: L_max, or 2 L_max with polarized emitters.
     std::vector<double> brightest;
     /// Header attributes as text, without the "polariscope." prefix: scene_hash, frame, settings, ...
     std::map<std::string, std::string> attributes;
+    PictureOrigin origin;
 
     [[nodiscard]] std::size_t pixel_count() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -62,15 +79,20 @@ struct StokesImage {
     [[nodiscard]] std::size_t pixel(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
-    [[nodiscard]] const Stokes<double>& at(std::size_t wavelength, std::size_t pixel_index) const {
-        return stokes[wavelength * pixel_count() + pixel_index];
+    [[nodiscard]] const Stokes<double>& at(std::size_t band, std::size_t pixel_index) const {
+        return stokes[band * pixel_count() + pixel_index];
     }
-    /// Value of a per-wavelength plane set that may be shared between wavelengths or absent (0).
-    [[nodiscard]] double plane_value(const std::vector<double>& planes, std::size_t wavelength,
+    /// Value of a per-band plane set that may be shared between bands or absent (0).
+    [[nodiscard]] double plane_value(const std::vector<double>& planes, std::size_t band,
                                      std::size_t pixel_index) const {
         if (planes.empty()) return 0.0;
-        return planes.size() == pixel_count() ? planes[pixel_index] : planes[wavelength * pixel_count() + pixel_index];
+        return planes.size() == pixel_count() ? planes[pixel_index] : planes[band * pixel_count() + pixel_index];
     }
 };
+
+/// Takes the numbers of the file to be in another convention than the reader did: turns them from what they were taken
+/// for back to the file's, and from `convention` to ours. Undone by the former convention, to the bit for signs and
+/// multiples of 45 degrees.
+void read_in(StokesImage& image, const StokesConvention& convention);
 
 }  // namespace pol

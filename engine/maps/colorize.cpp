@@ -15,6 +15,7 @@ constexpr Rgb8 black{0, 0, 0};
 constexpr Rgb8 middle_gray{96, 96, 96};
 constexpr Rgb8 hatch_light{150, 150, 150};
 constexpr Rgb8 hatch_dark{64, 64, 64};
+constexpr Rgb8 slate{52, 70, 96};
 constexpr Rgb8 magenta{255, 0, 255};
 constexpr Rgb8 dark_magenta{140, 0, 140};
 
@@ -91,6 +92,8 @@ Rgb8 state_color(PixelState state, int x, int y, bool black_is_none) {
             return magenta;
         case PixelState::unphysical:
             return dark_magenta;
+        case PixelState::not_measured:
+            return slate;
         case PixelState::defined:
             break;
     }
@@ -115,7 +118,7 @@ ColoredMap colorize(const Map& map, const MapOptions& options) {
     colored.is_difference = map.is_difference;
     const bool is_photograph = chosen.kind == ScaleKind::gray;
     colored.style = options.style;
-    colored.wavelength_nm = map.wavelength_nm;
+    colored.band = map.band;
     colored.picture.width = map.width;
     colored.picture.height = map.height;
     colored.scale = chosen.scale;
@@ -174,10 +177,9 @@ ColoredMap colorize_picture(const StokesImage& image, const MapOptions& options)
     return colored;
 }
 
-Result<ColoredMap> draw_map(const StokesImage& image, Quantity quantity, std::size_t wavelength,
-                            const MapOptions& options) {
+Result<ColoredMap> draw_map(const StokesImage& image, Quantity quantity, std::size_t band, const MapOptions& options) {
     if (quantity == Quantity::color) return colorize_picture(image, options);
-    POL_TRY(const auto map, evaluate(image, quantity, wavelength));
+    POL_TRY(const auto map, evaluate(image, quantity, band));
     return colorize(map, options);
 }
 

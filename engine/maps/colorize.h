@@ -66,7 +66,7 @@ struct RgbPicture {
 struct ColoredMap {
     Quantity quantity{};
     MapStyle style{};
-    double wavelength_nm = 0.0;  ///< of no meaning for color
+    Band band;                   ///< of no meaning for color
     bool is_difference = false;  ///< as Map
     /// How the scale is to be read.
     [[nodiscard]] ScaleKind kind() const { return kind_of(quantity, is_difference, range); }
@@ -109,11 +109,10 @@ Rgb8 faded(const Rgb& color, double weight);
 /// Requires: map.quantity is not `color`.
 ColoredMap colorize(const Map& map, const MapOptions& options);
 
-/// The color picture of all wavelengths, or gray if there is one. Only exposure, offset and gamma are used.
+/// The color picture of all bands (band_colors). Only exposure, offset and gamma are used.
 ColoredMap colorize_picture(const StokesImage& image, const MapOptions& options);
 
-/// The map or picture of `quantity`; `wavelength` is of no meaning for color. Error as in evaluate.
-Result<ColoredMap> draw_map(const StokesImage& image, Quantity quantity, std::size_t wavelength,
-                            const MapOptions& options);
+/// The map or picture of `quantity`; `band` is of no meaning for color. Error as in evaluate.
+Result<ColoredMap> draw_map(const StokesImage& image, Quantity quantity, std::size_t band, const MapOptions& options);
 
 }  // namespace pol

@@ -19,8 +19,8 @@ std::optional<MeasureBounds<double>> error_bars(const PixelLight& light) {
     return measure_bounds(light.stokes, light.missing, light.surplus);
 }
 
-std::optional<MeasureBounds<double>> error_bars(const StokesImage& image, std::size_t wavelength, std::size_t pixel) {
-    return error_bars(pixel_light(image, wavelength, pixel));
+std::optional<MeasureBounds<double>> error_bars(const StokesImage& image, std::size_t band, std::size_t pixel) {
+    return error_bars(pixel_light(image, band, pixel));
 }
 
 double half_width(const Interval<double>& bar, double estimate) {

@@ -13,7 +13,7 @@ namespace pol {
 
 /// Bars of all measures of the light. Empty if the bar is not a number: missing or surplus is negative or not finite.
 std::optional<MeasureBounds<double>> error_bars(const PixelLight& light);
-std::optional<MeasureBounds<double>> error_bars(const StokesImage& image, std::size_t wavelength, std::size_t pixel);
+std::optional<MeasureBounds<double>> error_bars(const StokesImage& image, std::size_t band, std::size_t pixel);
 
 /// Largest distance of a point of `bar` from `estimate`.
 double half_width(const Interval<double>& bar, double estimate);

@@ -90,8 +90,18 @@ double unphysical_part(const PixelLight& light) {
     return excess > light.rounding ? excess : 0.0;
 }
 
+Result<double> white_of(const Band& band) {
+    return band.wavelength_nm ? d65_at(*band.wavelength_nm) : Result<double>(1.0);
+}
+
+std::string_view unit_of(Quantity quantity, const Band& band) {
+    const QuantityInfo& about = info(quantity);
+    return about.is_over_d65 && !band.wavelength_nm ? std::string_view() : about.unit;
+}
+
 MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) {
     POL_EXPECTS(quantity != Quantity::color);
+    if (!light.known.has(info(quantity).needs)) return empty(PixelState::not_measured);
     const Stokes<double>& s = light.stokes;
     if (quantity == Quantity::intensity) return number(s.s0 / d65);
     if (quantity == Quantity::residual) return number(light.residual);
@@ -124,6 +134,7 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
 
 std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quantity, double d65) {
     POL_EXPECTS(quantity != Quantity::color);
+    if (!light.known.has(info(quantity).needs)) return std::nullopt;
     const auto bars = error_bars(light);
     if (!bars || !(light.stokes.s0 > 0.0)) return std::nullopt;
     const Stokes<double>& s = light.stokes;
@@ -162,22 +173,21 @@ std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quan
     return std::nullopt;
 }
 
-MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
-                        double d65) {
-    return evaluate_light(pixel_light(image, wavelength, pixel), quantity, d65);
+MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t band, std::size_t pixel, double d65) {
+    return evaluate_light(pixel_light(image, band, pixel), quantity, d65);
 }
 
-Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength) {
-    POL_EXPECTS(wavelength < image.wavelengths_nm.size());
+Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t band) {
+    POL_EXPECTS(band < image.bands.size());
     double d65 = 1.0;
     if (info(quantity).is_over_d65) {
-        POL_TRY(const auto known, d65_at(image.wavelengths_nm[wavelength]));
+        POL_TRY(const auto known, white_of(image.bands[band]));
         d65 = known;
     }
-    Map map{quantity, image.wavelengths_nm[wavelength], false, image.width, image.height, {}};
+    Map map{quantity, image.bands[band], false, image.width, image.height, {}};
     map.pixels.reserve(image.pixel_count());
     for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
-        map.pixels.push_back(evaluate_pixel(image, quantity, wavelength, pixel, d65));
+        map.pixels.push_back(evaluate_pixel(image, quantity, band, pixel, d65));
     }
     return map;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/result.h"
@@ -24,8 +25,9 @@ enum class PixelState : std::uint8_t {
     undetermined,  ///< so much light was left out that the value may lie anywhere in half of its range or more
     not_a_number,  ///< NaN or infinite: a defect of the renderer
     unphysical,    ///< numbers that no light has: S0 < 0, S0 = 0 beside a polarized part, or a residual below 0
+    not_measured,  ///< a Stokes component that it needs was never measured: nobody knows
 };
-inline constexpr std::size_t pixel_state_count = 6;
+inline constexpr std::size_t pixel_state_count = 7;
 
 struct MapPixel {
     double value = 0.0;  ///< in the unit of QuantityInfo; meaningless unless the state is `defined`
@@ -40,7 +42,7 @@ struct MapPixel {
 /// Row 0 is the top row, as in StokesImage.
 struct Map {
     Quantity quantity{};
-    double wavelength_nm = 0.0;
+    Band band;
     bool is_difference = false;  ///< values minus those of a reference (difference.h): signed, whatever the quantity
     int width = 0;
     int height = 0;
@@ -59,11 +61,16 @@ inline constexpr double pixel_noise = noise_threshold(1000.0);
 /// at most PixelLight::rounding each, which changes the quotient by at most as much: less than that is 0.
 double unphysical_part(const PixelLight& light);
 
-/// The value of `quantity` of some light. `d65` is CIE D65 at the wavelength, used where QuantityInfo::is_over_d65.
+/// What amounts of light are divided by: CIE D65 at the band's wavelength, 1 if it has none. Error (kind input): D65 is
+/// not known there.
+Result<double> white_of(const Band& band);
+/// QuantityInfo::unit, but for amounts of a band without a wavelength, which are as the file has them.
+std::string_view unit_of(Quantity quantity, const Band& band);
+
+/// The value of `quantity` of some light. `d65` is white_of its band, used where QuantityInfo::is_over_d65.
 /// Requires: quantity is not `color` (see color_picture.h).
 MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65);
-MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t wavelength, std::size_t pixel,
-                        double d65);
+MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t band, std::size_t pixel, double d65);
 
 /// The bar of one quantity, in its unit. Empty: the bar is not a number, there is no S0 to divide by, or the quantity
 /// has no bar (QuantityInfo::has_bar). The bar of the azimuth may reach beyond +-90 degrees: it is one of directions.
@@ -71,7 +78,7 @@ MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t
 std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quantity, double d65);
 
 /// The whole map. Error (kind input): an amount over D65 at a wavelength where that is not known.
-/// Requires: quantity is not `color`, wavelength < image.wavelengths_nm.size().
-Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t wavelength);
+/// Requires: quantity is not `color`, band < image.bands.size().
+Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t band);
 
 }  // namespace pol

@@ -3,12 +3,13 @@
 
 namespace pol {
 
-PixelLight pixel_light(const StokesImage& image, std::size_t wavelength, std::size_t pixel) {
-    const double brightest = image.brightest.empty() ? 0.0 : image.brightest[wavelength];
+PixelLight pixel_light(const StokesImage& image, std::size_t band, std::size_t pixel) {
+    const double brightest = image.brightest.empty() ? 0.0 : image.brightest[band];
     PixelLight light;
-    light.stokes = image.at(wavelength, pixel);
-    light.surplus = image.plane_value(image.tail, wavelength, pixel) * brightest;
-    light.residual = image.plane_value(image.residual, wavelength, pixel);
+    light.known = image.bands[band].known;
+    light.stokes = image.at(band, pixel);
+    light.surplus = image.plane_value(image.tail, band, pixel) * brightest;
+    light.residual = image.plane_value(image.residual, band, pixel);
     light.missing = light.residual * brightest + light.surplus;
     light.scale = brightest;
     light.rounding = image.stored.rounding();

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "film/band.h"
 #include "film/stokes_image.h"
 #include "polarization/stokes.h"
 
@@ -10,7 +11,8 @@ namespace pol {
 
 /// The light of one pixel at one wavelength with what is known about its error: all that a map is made from.
 struct PixelLight {
-    Stokes<double> stokes{};
+    Stokes<double> stokes{};  ///< 0 where not known
+    StokesComponents known = StokesComponents::all();
     double missing = 0.0;   ///< most S0 that may have been left out, (residual + tail) brightest
     double surplus = 0.0;   ///< most S0 that may be there too much, tail brightest
     double residual = 0.0;  ///< share of the throughput that was not traced
@@ -20,6 +22,6 @@ struct PixelLight {
 };
 
 /// A picture without residual or without brightest has no light missing, as far as it says.
-PixelLight pixel_light(const StokesImage& image, std::size_t wavelength, std::size_t pixel);
+PixelLight pixel_light(const StokesImage& image, std::size_t band, std::size_t pixel);
 
 }  // namespace pol

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "film/band.h"
 #include "maps/color_scale.h"
 
 namespace pol {
@@ -80,8 +81,10 @@ struct QuantityInfo {
     std::string_view high_word{};        ///< what is above 0
     std::optional<ColorScale> wilkie{};  ///< in the style of Wilkie & Weidlich 2010; none: as in the scientific one
     Carrier carrier = Carrier::light;
+    /// Components without which it is not known.
+    StokesComponents needs = StokesComponents::all();
     bool has_bar = true;         ///< false: exact, or a bound itself
-    bool is_over_d65 = false;    ///< an amount of light, in units of CIE D65 at the wavelength
+    bool is_over_d65 = false;    ///< an amount of light, in units of CIE D65 at the wavelength (unit_of)
     double rounding_size = 1.0;  ///< beside what a value can be nothing but rounding; 0: every digit counts
 
     /// Fades as the part of the light that has the property vanishes.

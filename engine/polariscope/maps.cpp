@@ -30,10 +30,10 @@ Result<pol::Quantity> quantity(const std::string& name) {
 }
 
 Result<std::size_t> index_of(const pol::StokesImage& image, int wavelength) {
-    if (wavelength >= 0 && static_cast<std::size_t>(wavelength) < image.wavelengths_nm.size())
+    if (wavelength >= 0 && static_cast<std::size_t>(wavelength) < image.bands.size())
         return static_cast<std::size_t>(wavelength);
     return usage("wavelength", "there is no wavelength " + std::to_string(wavelength),
-                 "0 to " + std::to_string(image.wavelengths_nm.size() - 1));
+                 "0 to " + std::to_string(image.bands.size() - 1));
 }
 
 PixelState outer_state(pol::PixelState state) {
@@ -48,6 +48,8 @@ PixelState outer_state(pol::PixelState state) {
             return PixelState::undetermined;
         case pol::PixelState::not_a_number:
             return PixelState::not_a_number;
+        case pol::PixelState::not_measured:
+            return PixelState::not_measured;
         case pol::PixelState::unphysical:
             break;
     }
@@ -79,7 +81,12 @@ Result<Map> evaluate(const Picture& picture, const std::string& map, int wavelen
         const auto evaluated = pol::evaluate(inner(picture), asked.value(), index.value());
         if (!evaluated) return detail::outer(evaluated.error());
         const pol::Map& from = evaluated.value();
-        Map out{outer_info(pol::info(from.quantity)), from.wavelength_nm, from.width, from.height, {}, {}};
+        Map out{outer_info(pol::info(from.quantity)),
+                from.band.wavelength_nm.value_or(std::numeric_limits<double>::quiet_NaN()),
+                from.width,
+                from.height,
+                {},
+                {}};
         out.values.reserve(from.pixels.size());
         out.states.reserve(from.pixels.size());
         for (const pol::MapPixel& pixel : from.pixels) {

@@ -33,12 +33,13 @@ enum class PixelState : std::uint8_t {
     undetermined,  ///< so much light was left out that the value may lie anywhere in half of its range or more
     not_a_number,  ///< NaN or infinite numbers in the picture
     unphysical,    ///< numbers that no light has: S0 < 0, or less than its polarized part
+    not_measured,  ///< a component that it needs was never measured: S3 of a camera with linear polarizers
 };
 
 /// Row 0 is the top row: pixel (x, y) is entry y * width + x.
 struct Map {
     MapInfo info;
-    double wavelength_nm = 0.0;
+    double wavelength_nm = 0.0;  ///< NaN: the band has none
     int width = 0;
     int height = 0;
     std::vector<double> values;  ///< in the unit of `info`; NaN unless the state is `defined`

@@ -24,9 +24,9 @@ std::optional<Error> outside(const pol::StokesImage& image, int x, int y, int wa
     if (x < 0 || y < 0 || x >= image.width || y >= image.height)
         return usage("x, y", "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") lies outside of the picture",
                      "it has " + std::to_string(image.width) + " x " + std::to_string(image.height));
-    if (wavelength < 0 || static_cast<std::size_t>(wavelength) >= image.wavelengths_nm.size())
+    if (wavelength < 0 || static_cast<std::size_t>(wavelength) >= image.bands.size())
         return usage("wavelength", "there is no wavelength " + std::to_string(wavelength),
-                     "0 to " + std::to_string(image.wavelengths_nm.size() - 1));
+                     "0 to " + std::to_string(image.bands.size() - 1));
     return std::nullopt;
 }
 
@@ -51,8 +51,14 @@ int Picture::height() const {
     return data_->image.height;
 }
 
-const std::vector<double>& Picture::wavelengths_nm() const {
-    return data_->image.wavelengths_nm;
+std::vector<double> Picture::wavelengths_nm() const {
+    return pol::wavelengths_of(data_->image.bands);
+}
+
+std::vector<std::string> Picture::bands() const {
+    std::vector<std::string> labels;
+    for (const pol::Band& band : data_->image.bands) labels.push_back(band.label());
+    return labels;
 }
 
 const std::map<std::string, std::string>& Picture::attributes() const {
@@ -120,7 +126,7 @@ Result<Picture> make_picture(int width, int height, const std::vector<double>& w
         if (stokes.size() != image.pixel_count() * wavelengths_nm.size())
             return usage("stokes", "has " + std::to_string(stokes.size()) + " entries",
                          "width x height of them per wavelength");
-        image.wavelengths_nm = wavelengths_nm;
+        image.bands = pol::bands_at(wavelengths_nm);
         image.stokes.reserve(stokes.size());
         for (const Stokes& s : stokes) image.stokes.push_back({s.s0, s.s1, s.s2, s.s3});
         return Inside::pack(detail::PictureData{std::move(image)});

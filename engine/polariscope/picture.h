@@ -27,7 +27,11 @@ public:
 
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
-    [[nodiscard]] const std::vector<double>& wavelengths_nm() const;
+    /// Empty if a band has none: R, G, B or mono of another program's picture. What counts wavelengths here counts
+    /// bands.
+    [[nodiscard]] std::vector<double> wavelengths_nm() const;
+    /// Of each band: "580 nm", or its name.
+    [[nodiscard]] std::vector<std::string> bands() const;
     /// What the file says about itself: scene, scene_hash, frame, settings ...
     [[nodiscard]] const std::map<std::string, std::string>& attributes() const;
 

@@ -24,7 +24,7 @@ std::optional<MeasureBounds<double>> bars_of(const Plan& plan, const Explanation
     StokesImage image;
     image.width = image.height = 1;
     const auto w = static_cast<std::size_t>(e.wavelength);
-    image.wavelengths_nm = {plan.wavelengths_nm[w]};
+    image.bands = bands_at({plan.wavelengths_nm[w]});
     image.stokes = {e.sample_light};
     image.residual = {e.result.residual};
     image.tail = {e.result.tail};

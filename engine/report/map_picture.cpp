@@ -58,6 +58,7 @@ std::vector<LegendEntry> legend_of(const ColoredMap& map) {
     add(PixelState::undetermined, "not determined: too much light not traced");
     add(PixelState::not_a_number, "not a number");
     add(PixelState::unphysical, "unphysical: negative S0 or residual, or polarized light without S0");
+    add(PixelState::not_measured, "not measured: the picture does not have all components");
     return entries;
 }
 
@@ -65,10 +66,14 @@ std::string tick_text(double value) {
     return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value);
 }
 
+std::string label_of(const Band& band) {
+    return band.wavelength_nm ? fmt::format("{:.6g} nm", *band.wavelength_nm) : band.name;
+}
+
 std::string title_of(const ColoredMap& map) {
     const std::string_view title = info(map.quantity).title;
     if (map.quantity == Quantity::color) return std::string(title);
-    return fmt::format("{}{}, {:.6g} nm", title, map.is_difference ? ", difference" : "", map.wavelength_nm);
+    return fmt::format("{}{}, {}", title, map.is_difference ? ", difference" : "", label_of(map.band));
 }
 
 /// Positions in pixels of the canvas. Everything but the picture scales with `unit`, so that the legend of a large
@@ -128,7 +133,7 @@ public:
 private:
     [[nodiscard]] std::string degree_sign() const { return info(map_.quantity).unit == "\u00b0" ? "\u00b0" : ""; }
     [[nodiscard]] std::string bar_heading() const {
-        return degree_sign().empty() ? std::string(info(map_.quantity).unit) : "";
+        return degree_sign().empty() ? std::string(unit_of(map_.quantity, map_.band)) : "";
     }
     [[nodiscard]] double title_size() const { return 15.0 * layout_.unit; }
     [[nodiscard]] double text_size() const { return 12.0 * layout_.unit; }

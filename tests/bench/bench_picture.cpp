@@ -18,7 +18,7 @@ StokesImage film(std::size_t wavelengths) {
     StokesImage image;
     image.width = 1280;
     image.height = 800;
-    for (std::size_t w = 0; w < wavelengths; ++w) image.wavelengths_nm.push_back(400.0 + 15.0 * static_cast<double>(w));
+    for (std::size_t w = 0; w < wavelengths; ++w) image.bands.push_back({400.0 + 15.0 * static_cast<double>(w), {}});
     image.brightest.assign(wavelengths, 1.0);
     for (std::size_t i = 0; i < wavelengths * image.pixel_count(); ++i) {
         const double turn = 1e-3 * static_cast<double>(i % 100'003);

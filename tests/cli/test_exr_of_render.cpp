@@ -53,7 +53,7 @@ TEST_P(ExrOfRender, HoldsTheExplainedStokesVectorsRoundedToFloat) {
     const StokesImage image = picture();
     ASSERT_EQ(image.width, 24);
     ASSERT_EQ(image.height, 16);
-    ASSERT_EQ(image.wavelengths_nm, (std::vector<double>{450.0, 580.0}));
+    ASSERT_EQ(wavelengths_of(image.bands), (std::vector<double>{450.0, 580.0}));
     for (const auto& [x, y] : {std::array{0, 0}, std::array{12, 8}, std::array{15, 5}, std::array{23, 15}}) {
         for (std::size_t w = 0; w < 2; ++w) {
             const std::string nm = w == 0 ? "450" : "580";

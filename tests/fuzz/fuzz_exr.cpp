@@ -9,8 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!picture) return 0;
     const pol::StokesImage& image = picture.value();
     const std::size_t pixels = image.pixel_count();
-    POL_EXPECTS(!image.wavelengths_nm.empty());
-    POL_EXPECTS(image.stokes.size() == pixels * image.wavelengths_nm.size());
+    POL_EXPECTS(!image.bands.empty());
+    POL_EXPECTS(image.stokes.size() == pixels * image.bands.size());
     POL_EXPECTS(image.sampling_error.empty() || image.sampling_error.size() == image.stokes.size());
     POL_EXPECTS(image.samples.empty() || image.samples.size() == pixels);
     return 0;

@@ -43,8 +43,8 @@ inline StokesImage sample_image(int width, int height, std::vector<double> wavel
     StokesImage image;
     image.width = width;
     image.height = height;
-    image.wavelengths_nm = std::move(wavelengths_nm);
-    const std::size_t count = image.pixel_count() * image.wavelengths_nm.size();
+    image.bands = bands_at(wavelengths_nm);
+    const std::size_t count = image.pixel_count() * image.bands.size();
     for (std::size_t i = 0; i < count; ++i) {
         const double base = 1.0 + static_cast<double>(i);
         image.stokes.push_back({base, base / 2.0, -base / 4.0, base / 8.0});
@@ -56,7 +56,7 @@ inline StokesImage sample_image(int width, int height, std::vector<double> wavel
         image.samples.push_back(static_cast<std::uint32_t>(i) + 4000000000U);
         image.failures.push_back(static_cast<std::uint32_t>(i % 2));
     }
-    image.brightest.assign(image.wavelengths_nm.size(), 0.1);
+    image.brightest.assign(image.bands.size(), 0.1);
     image.attributes["scene_hash"] = "0123456789abcdef";
     return image;
 }

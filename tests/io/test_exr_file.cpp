@@ -44,7 +44,7 @@ TEST_F(ExrFile, GivesBackTheSameNumbersToTheLastBit) {
     const StokesImage& back = read.value();
     EXPECT_EQ(back.width, 7);
     EXPECT_EQ(back.height, 35);
-    EXPECT_EQ(back.wavelengths_nm, image.wavelengths_nm);
+    EXPECT_EQ(back.bands, image.bands);
     EXPECT_EQ(back.stokes, image.stokes);
     EXPECT_EQ(back.residual, image.residual);
     EXPECT_EQ(back.tail, image.tail);
@@ -60,7 +60,7 @@ TEST_F(ExrFile, KeepsNanInfinityDenormalsAndTheSignOfZero) {
     StokesImage image;
     image.width = 8;
     image.height = 1;
-    image.wavelengths_nm = {580.0};
+    image.bands = bands_at({580.0});
     for (const float value : {limits::quiet_NaN(), limits::infinity(), -limits::infinity(), limits::denorm_min(),
                               -limits::denorm_min(), -0.0F, limits::max(), limits::min()}) {
         image.stokes.push_back({double{value}, double{value}, 1.0, double{value}});
@@ -89,7 +89,7 @@ TEST_F(ExrFile, KeepsWavelengthsThatTheChannelNamesRound) {
     ASSERT_TRUE(write_exr(sample_image(2, 2, {odd, 600.0}), path()));
     const Result<StokesImage> read = read_exr(path());
     ASSERT_TRUE(read);
-    EXPECT_TRUE(same_bits(read.value().wavelengths_nm[0], odd));
+    EXPECT_TRUE(same_bits(*read.value().bands[0].wavelength_nm, odd));
 }
 
 TEST_F(ExrFile, FollowsTheSpectralLayoutAsOpenExrSeesIt) {

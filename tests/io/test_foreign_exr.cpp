@@ -78,9 +78,9 @@ TEST_F(ForeignExr, IsReadFromOtherProgramsWithHalvesAnOffsetWindowAndLeftHandedS
         ASSERT_TRUE(read) << to_string(read.error());
         EXPECT_EQ(read.value().width, 4);
         EXPECT_EQ(read.value().height, 2);
-        ASSERT_EQ(read.value().wavelengths_nm.size(), 2U);
-        EXPECT_NEAR(read.value().wavelengths_nm[0], 450.0, 1e-10);
-        EXPECT_EQ(read.value().wavelengths_nm[1], 580.0);
+        ASSERT_EQ(read.value().bands.size(), 2U);
+        EXPECT_NEAR(*read.value().bands[0].wavelength_nm, 450.0, 1e-10);
+        EXPECT_EQ(*read.value().bands[1].wavelength_nm, 580.0);
         const double sign = std::string(handedness) == "left" ? -1.0 : 1.0;
         EXPECT_EQ(read.value().at(1, 6), (Stokes<double>{16.0, 26.0, 36.0, sign * 46.0}));
         EXPECT_EQ(read.value().at(0, 0), (Stokes<double>{50.0, 60.0, 70.0, sign * 80.0}));

@@ -45,7 +45,7 @@ StokesImage sample_image(int width, int height) {
     StokesImage image;
     image.width = width;
     image.height = height;
-    image.wavelengths_nm = {580.0};
+    image.bands = bands_at({580.0});
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             if (x == 0)
@@ -124,7 +124,7 @@ StokesImage image_of_states() {
     StokesImage image;
     image.width = 7;
     image.height = 1;
-    image.wavelengths_nm = {580.0};
+    image.bands = bands_at({580.0});
     image.brightest = {1.0};
     image.stokes = {{0.0, 0.0, 0.0, 0.0},  {1.0, 0.0, 0.0, 0.0}, {1.0, 0.5, 0.0, 0.0}, {1.0, 1.0, 0.0, 0.0},
                     {1.0, -1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0}, {-1.0, 0.0, 0.0, 0.0}};

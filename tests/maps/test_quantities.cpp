@@ -24,7 +24,7 @@ StokesImage one_pixel(const Stokes<double>& s, double wavelength_nm = 580.0) {
     StokesImage image;
     image.width = 1;
     image.height = 1;
-    image.wavelengths_nm = {wavelength_nm};
+    image.bands = bands_at({wavelength_nm});
     image.stokes = {s};
     return image;
 }
@@ -280,7 +280,7 @@ TEST(ErrorBars, ArePerWavelengthIfTheResidualIs) {
     StokesImage image;
     image.width = 1;
     image.height = 1;
-    image.wavelengths_nm = {500.0, 600.0};
+    image.bands = bands_at({500.0, 600.0});
     image.stokes = {{1.0, 0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
     image.brightest = {1.0, 2.0};
     image.residual = {0.1};
@@ -314,7 +314,7 @@ TEST(ColorPicture, OfLongWavesIsReddishAndOfShortWavesBluish) {
     StokesImage image;
     image.width = 2;
     image.height = 1;
-    image.wavelengths_nm = {450.0, 550.0, 630.0};
+    image.bands = bands_at({450.0, 550.0, 630.0});
     image.stokes = {{0.0}, {1.0}, {0.1}, {0.1}, {1.0}, {0.0}};
     const std::vector<Rgb> color = color_picture(image);
     EXPECT_GT(color[0][0], 2.0 * std::max(color[0][1], color[0][2]));

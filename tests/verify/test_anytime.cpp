@@ -44,8 +44,8 @@ TEST(Anytime, EndsWhenNobodyWaits) {
     reference.width = scene.render.width;
     reference.height = scene.render.height;
     reference.wavelengths_nm = plan->wavelengths_nm;
-    reference.stokes.assign(reference.pixel_count() * reference.wavelengths_nm.size(), {1.0, 0.0, 0.0, 0.0});
-    reference.brightest.assign(reference.wavelengths_nm.size(), 1.0);
+    reference.stokes.assign(reference.pixel_count() * reference.bands.size(), {1.0, 0.0, 0.0, 0.0});
+    reference.brightest.assign(reference.bands.size(), 1.0);
     EXPECT_TRUE(anytime_curve(plan, reference, 1, [](std::size_t) { return false; }).empty());
 }
 

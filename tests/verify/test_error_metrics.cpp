@@ -18,7 +18,7 @@ StokesImage picture_of(std::vector<Stokes<double>> pixels) {
     StokesImage image;
     image.width = static_cast<int>(pixels.size());
     image.height = 1;
-    image.wavelengths_nm = {580.0};
+    image.bands = bands_at({580.0});
     image.stokes = std::move(pixels);
     image.brightest = {1.0};
     return image;
@@ -195,12 +195,12 @@ TEST(ColorDifference, ANestedSetOfWavelengthsKeepsItsEndsAndShiftsTheColor) {
     StokesImage flat;
     flat.width = flat.height = 1;
     for (int w = 380; w <= 780; w += 20) {
-        flat.wavelengths_nm.push_back(w);
+        flat.bands.push_back({w, {}});
         flat.stokes.push_back({1.0, 0.0, 0.0, 0.0});
     }
     const StokesImage half = every_second_wavelength(flat);
-    EXPECT_EQ(half.wavelengths_nm.size(), 11U);
-    EXPECT_EQ(half.wavelengths_nm.back(), 780.0);
+    EXPECT_EQ(half.bands.size(), 11U);
+    EXPECT_EQ(*half.bands.back().wavelength_nm, 780.0);
     EXPECT_EQ(color_difference(flat, flat), 0.0);
     EXPECT_GT(color_difference(half, flat), 0.0);
 }

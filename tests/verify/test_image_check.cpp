@@ -17,7 +17,7 @@ namespace {
 StokesImage uniform(const Stokes<double>& light) {
     StokesImage image;
     image.width = image.height = 16;
-    image.wavelengths_nm = {580.0};
+    image.bands = bands_at({580.0});
     image.stokes.assign(256, light);
     return image;
 }

@@ -22,7 +22,7 @@ inline void open_picture(Session& session, const StokesImage& image) {
         std::filesystem::temp_directory_path() / ("polariscope_known_" + std::to_string(getpid()) + ".exr");
     ASSERT_TRUE(write_exr(image, path));
     ASSERT_TRUE(session.open(path));
-    session.change_view().wavelength = 0;
+    session.change_view().band = 0;
     std::filesystem::remove(path);
 }
 
@@ -38,7 +38,7 @@ inline StokesImage known_picture(int width = 16, int height = 12) {
     StokesImage image;
     image.width = width;
     image.height = height;
-    image.wavelengths_nm = {500.0, 600.0};
+    image.bands = bands_at({500.0, 600.0});
     image.brightest = {1.0, 1.0};
     for (const double s0 : {0.5, 0.25}) {
         for (int y = 0; y < height; ++y) {

@@ -90,7 +90,7 @@ TEST(Comparison, SaysWhyItIsNotPossible) {
     EXPECT_EQ(session.log().lines().back().severity, Severity::warning);
 
     StokesImage other = known_picture();
-    for (double& nm : other.wavelengths_nm) nm += 1.0;
+    for (Band& band : other.bands) *band.wavelength_nm += 1.0;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, other));
     EXPECT_NE(session.compare().error().what.find("no light of"), std::string::npos);
 
@@ -101,7 +101,7 @@ TEST(Comparison, SaysWhyItIsNotPossible) {
 
     StokesImage small;
     small.width = small.height = 1;
-    small.wavelengths_nm = {580.0};
+    small.bands = bands_at({580.0});
     small.stokes = {{1.0, 0.0, 0.0, 0.0}};
     ASSERT_NO_FATAL_FAILURE(open_picture(session, small));
     EXPECT_NE(session.compare().error().what.find("1 x 1"), std::string::npos);

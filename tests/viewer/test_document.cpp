@@ -54,7 +54,7 @@ struct Follower {
         const StokesImage& picture = document.picture();
         copy.resize(picture.stokes.size());
         for (const TileRect& rect : document.changes_since(version))
-            for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w)
+            for (std::size_t w = 0; w < picture.bands.size(); ++w)
                 for (int y = rect.y0; y < rect.y1; ++y)
                     for (int x = rect.x0; x < rect.x1; ++x) {
                         const std::size_t at = w * picture.pixel_count() + picture.pixel(x, y);
@@ -373,7 +373,7 @@ TEST(Document, FollowsAnExrFileThatIsWrittenAgain) {
     StokesImage picture;
     picture.width = 3;
     picture.height = 2;
-    picture.wavelengths_nm = {580.0};
+    picture.bands = bands_at({580.0});
     picture.stokes.assign(6, {1.0, 0.5, 0.0, 0.0});
     ASSERT_TRUE(write_exr(picture, folder / "a.exr"));
     const auto document = opened(folder / "a.exr");

@@ -72,7 +72,7 @@ TEST_F(Exports, ASnapshotInMidRenderIsThePictureOnScreen) {
     ASSERT_TRUE(read);
     const StokesImage& file = read.value();
     EXPECT_EQ(file.samples, before.samples);
-    EXPECT_EQ(file.wavelengths_nm, before.wavelengths_nm);
+    EXPECT_EQ(file.bands, before.bands);
     EXPECT_EQ(file.attributes.at("scene_hash"), scene_hash(document.scene()));
     EXPECT_EQ(file.attributes.at("scene"), "plate.yaml");
     ASSERT_EQ(file.stokes.size(), before.stokes.size());
@@ -155,7 +155,7 @@ TEST_F(Exports, APixelWithoutASampleHasNoNumbers) {
     StokesImage picture;
     picture.width = 2;
     picture.height = 1;
-    picture.wavelengths_nm = {580.0};
+    picture.bands = bands_at({580.0});
     picture.stokes = {{1.0, 1.0, 0.0, 0.0}, {0.5, 0.0, 0.0, 0.0}};
     picture.residual = {0.0, 0.25};
     picture.samples = {4, 0};
@@ -228,7 +228,7 @@ TEST_F(Exports, TheMarkedPixelsAreListedAtAllWavelengthsBehindThePolarimeter) {
             double dop{};
             fields >> x >> y >> nm >> s0 >> s1 >> s2 >> s3 >> dop;
             EXPECT_EQ(picture.pixel(static_cast<int>(x), static_cast<int>(y)), pixel);
-            EXPECT_EQ(nm, picture.wavelengths_nm[w]);
+            EXPECT_EQ(nm, *picture.bands[w].wavelength_nm);
             const Stokes<double>& s = picture.at(w, pixel);
             EXPECT_NEAR(s0, 0.5 * (s.s0 + s.s1), 1e-15);
             EXPECT_NEAR(s1, s0, 1e-15);

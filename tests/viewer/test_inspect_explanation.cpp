@@ -155,7 +155,7 @@ TEST(SessionExplanation, FollowsPinSampleAndWavelength) {
     scene.render.samples_per_pixel = 4;
     ASSERT_TRUE(session.current()->edit(scene, "wavelengths"));
     EXPECT_EQ(session.explanation(), nullptr) << "of the plan before";
-    session.change_view().wavelength = 1;
+    session.change_view().band = 1;
     session.select_sample(3);
     found = explained(session);
     ASSERT_NE(found, nullptr);

@@ -15,7 +15,7 @@ StokesImage flat_picture(const Stokes<double>& light, int width = 8, int height 
     StokesImage image;
     image.width = width;
     image.height = height;
-    image.wavelengths_nm = {550.0};
+    image.bands = bands_at({550.0});
     image.stokes.assign(image.pixel_count(), light);
     return image;
 }

@@ -19,12 +19,12 @@ TEST(PixelReadout, HasTheNumbersOfEveryMap) {
     const StokesImage& picture = session.current()->picture();
     for (const PixelAddress at : {PixelAddress{0, 0}, PixelAddress{7, 5}, PixelAddress{15, 11}}) {
         const PixelReadout readout = read_pixel(session, at);
-        ASSERT_EQ(readout.wavelengths.size(), 2u);
+        ASSERT_EQ(readout.bands.size(), 2u);
         EXPECT_EQ(readout.samples, 4u);
         const std::size_t pixel = picture.pixel(at.x, at.y);
         EXPECT_EQ(readout.color, color_picture(picture)[pixel]);
         for (std::size_t w = 0; w < 2; ++w) {
-            EXPECT_EQ(readout.wavelengths[w].light.stokes, picture.at(w, pixel));
+            EXPECT_EQ(readout.bands[w].light.stokes, picture.at(w, pixel));
             for (const QuantityInfo& about : quantities()) {
                 if (about.quantity == Quantity::color) continue;
                 const auto map = evaluate(picture, about.quantity, w);
@@ -42,7 +42,7 @@ TEST(PixelReadout, GivesEveryValueItsBar) {
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
     const PixelReadout readout = read_pixel(session, {3, 9});
-    const PixelLight& light = readout.wavelengths[0].light;
+    const PixelLight& light = readout.bands[0].light;
     const double missing = light.missing;
     EXPECT_NEAR(missing, 0.01, 1e-9);
     for (const Quantity quantity : {Quantity::s1, Quantity::s2, Quantity::s3, Quantity::dop, Quantity::dolp,
@@ -135,7 +135,7 @@ TEST(PixelReadout, CallsNegativeLightUnphysical) {
 
 TEST(PixelReadout, SaysWhereTheIntensityHasNoUnit) {
     StokesImage image = known_picture();
-    image.wavelengths_nm = {250.0, 600.0};
+    image.bands = bands_at({250.0, 600.0});
     Session session;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
     EXPECT_EQ(read_pixel(session, {1, 1}).quantity(Quantity::intensity, 0).pixel.state, PixelState::undefined);

@@ -127,7 +127,7 @@ void expect_same(const RgbPicture& actual, const RgbPicture& expected, int toler
 RgbPicture expected_of(const StokesImage& film, const ViewSettings& view) {
     MapOptions options{view.style, view.range[static_cast<std::size_t>(view.quantity)], view.exposure};
     options.fade_by_bar = view.fade_by_bar;
-    return draw_map(film, view.quantity, view.wavelength, options).value().picture;
+    return draw_map(film, view.quantity, view.band, options).value().picture;
 }
 
 TEST_F(Picture, EqualsTheColoredMapForEveryQuantityStyleAndWavelength) {
@@ -137,7 +137,7 @@ TEST_F(Picture, EqualsTheColoredMapForEveryQuantityStyleAndWavelength) {
                 SCOPED_TRACE(std::string(about.name) + ", style " + std::to_string(static_cast<int>(style)) +
                              ", wavelength " + std::to_string(wavelength));
                 session_.change_view().style = style;
-                session_.change_view().wavelength = wavelength;
+                session_.change_view().band = wavelength;
                 session_.show(about.quantity);
                 expect_same(drawn_at_1_to_1(), expected_of(film(), session_.view()));
             }
@@ -188,8 +188,8 @@ TEST_F(Picture, MinusAReferenceEqualsTheColoredDifferenceOfTheMaps) {
         session_.change_view().difference = true;
         ASSERT_TRUE(session_.comparison());
         session_.finish_shown_map();
-        const auto a = evaluate(film(), quantity, session_.view().wavelength);
-        const auto b = evaluate(session_.reference()->picture(), quantity, session_.view().wavelength);
+        const auto a = evaluate(film(), quantity, session_.view().band);
+        const auto b = evaluate(session_.reference()->picture(), quantity, session_.view().band);
         Map map = a.value();
         map.is_difference = true;
         for (std::size_t i = 0; i < map.pixels.size(); ++i)
@@ -202,7 +202,7 @@ TEST_F(Picture, MinusAReferenceEqualsTheColoredDifferenceOfTheMaps) {
 TEST_F(Picture, MinusAReferenceShowsASinglePixelThatDiffersHoweverSmallItIsDrawn) {
     StokesImage plain;
     plain.width = plain.height = 64;
-    plain.wavelengths_nm = {580.0};
+    plain.bands = bands_at({580.0});
     plain.stokes.assign(plain.pixel_count(), {1.0, 0.25, 0.0, 0.0});
     open(plain);
     session_.set_reference();
@@ -274,7 +274,7 @@ TEST_F(Picture, FollowsRangeExposureAndScale) {
 
 TEST_F(Picture, OffsetIsAddedAndGammaIsAPowerOfTheLight) {
     session_.show(Quantity::intensity);
-    session_.change_view().wavelength = 1;
+    session_.change_view().band = 1;
     session_.change_view().offset = 0.1;
     session_.change_view().gamma = 2.0;
     const RgbPicture picture = drawn_at_1_to_1();
@@ -325,7 +325,7 @@ TEST_F(Picture, AddsLightNotMapsWhenReduced) {
     StokesImage stripes;
     stripes.width = 64;
     stripes.height = 32;
-    stripes.wavelengths_nm = {550.0};
+    stripes.bands = bands_at({550.0});
     for (int i = 0; i < 64 * 32; ++i) stripes.stokes.push_back({1.0, i % 2 == 0 ? 1.0 : -1.0, 0.0, 0.0});
     open(stripes);
     session_.show(Quantity::dop);
@@ -343,7 +343,7 @@ TEST_F(Picture, ADefectStaysVisibleWhenReduced) {
     StokesImage gray;
     gray.width = 64;
     gray.height = 64;
-    gray.wavelengths_nm = {550.0};
+    gray.bands = bands_at({550.0});
     gray.stokes.assign(64 * 64, {1.0, 0.0, 0.0, 0.0});
     gray.stokes[20 * 64 + 33].s0 = std::numeric_limits<double>::quiet_NaN();
     gray.stokes[45 * 64 + 13].s1 = 2.0;

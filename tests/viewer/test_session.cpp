@@ -43,7 +43,7 @@ Scene scene_at(const std::string& wavelengths) {
 }
 
 double shown_nm(const Session& session) {
-    return session.current()->picture().wavelengths_nm[session.view().wavelength];
+    return *session.current()->picture().bands[session.view().band].wavelength_nm;
 }
 
 TEST(Session, OpensASpectralPictureAtThePlaneNearestTo580AsTheCommandLineDoes) {
@@ -62,7 +62,7 @@ TEST(Session, KeepsTheWavelengthAndNotItsNumberWhenAnotherPictureIsShown) {
     session.step_document(-1);
     EXPECT_EQ(shown_nm(session), 580.0) << "550 was not chosen";
     session.step_document(1);
-    session.change_view().wavelength = 2;
+    session.change_view().band = 2;
     session.update();
     EXPECT_EQ(shown_nm(session), 650.0);
     session.step_document(-1);

@@ -62,7 +62,7 @@ void step_map(Session& session) {
 
 template <int by>
 void step_wavelength(Session& session) {
-    session.choose_wavelength(static_cast<std::size_t>(std::max(0, static_cast<int>(session.view().wavelength) + by)));
+    session.choose_band(static_cast<std::size_t>(std::max(0, static_cast<int>(session.view().band) + by)));
 }
 
 template <MapStyle style>

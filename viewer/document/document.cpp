@@ -155,7 +155,7 @@ void Document::set_stop_rules(const StopRules& rules) {
 
 void Document::show(std::shared_ptr<StokesImage> picture) {
     const bool same_layout = picture_ && picture_->width == picture->width && picture_->height == picture->height &&
-                             picture_->wavelengths_nm == picture->wavelengths_nm;
+                             picture_->bands == picture->bands;
     if (!same_layout) layout_ = next_layout();
     picture_ = std::move(picture);
     lent_ = std::make_shared<std::atomic<int>>(0);

@@ -247,7 +247,7 @@ double shown_angle(const Session& session) {
     return frame_angle(session.page(), camera_axes(*session.current(), *session.selection().pinned()), trouble);
 }
 
-PageGroup making_group(const PixelReadout& readout, const WavelengthReadout& at) {
+PageGroup making_group(const PixelReadout& readout, const BandReadout& at) {
     PageGroup group{"How it was made", {}};
     if (readout.samples)
         group.rows.push_back(exact_row("samples", *readout.samples, "", "Rays through this pixel so far"));
@@ -260,17 +260,17 @@ PageGroup making_group(const PixelReadout& readout, const WavelengthReadout& at)
 }
 
 /// Of a pixel that the render has not reached yet, behind the polarimeter.
-WavelengthReadout readout_of(const Explanation& e, const Plan& plan, const Polarimeter& polarimeter) {
+BandReadout readout_of(const Explanation& e, const Plan& plan, const Polarimeter& polarimeter) {
     const auto w = static_cast<std::size_t>(e.wavelength);
     StokesImage image;
     image.width = image.height = 1;
-    image.wavelengths_nm = {plan.wavelengths_nm[w]};
+    image.bands = bands_at({plan.wavelengths_nm[w]});
     image.stokes = {e.sample_light};
     image.residual = {e.result.residual};
     image.tail = {e.result.tail};
     image.brightest = {plan.brightest[w]};
-    WavelengthReadout at;
-    at.wavelength_nm = image.wavelengths_nm[0];
+    BandReadout at;
+    at.band = image.bands[0];
     at.light = ShownPicture(image, polarimeter).light(0, 0);
     at.tail = e.result.tail;
     at.brightest = plan.brightest[w];
@@ -304,12 +304,12 @@ PixelPage make_pixel_page(const Session& session) {
     page.convention = convention.text();
     // The frame is turned before the convention labels it.
     const PixelReadout readout = read_pixel(session, pixel, Convention{});
-    WavelengthReadout at = readout.wavelengths[std::min(session.view().wavelength, readout.wavelengths.size() - 1)];
+    BandReadout at = readout.bands[std::min(session.view().band, readout.bands.size() - 1)];
     if (readout.samples == 0U && session.explanation() != nullptr) {
         at = readout_of(*session.explanation(), *document.plan(), session.polarimeter());
         page.from_tree = true;
     }
-    page.wavelength_nm = at.wavelength_nm;
+    page.band = at.band;
 
     const auto axes = camera_axes(document, pixel);
     const double angle = frame_angle(settings, axes, page.trouble);
@@ -340,7 +340,7 @@ std::vector<PageCurve> spectrum_curves(const Session& session) {
     const double angle = shown_angle(session);
     std::vector<PageCurve> curves;
     PageCurve s0{"S0", {}, {}, 0.0, 0.0, false};
-    for (const WavelengthReadout& at : readout.wavelengths) {
+    for (const BandReadout& at : readout.bands) {
         const double value = at.light.stokes.s0;
         const auto bars = stokes_bars(at.light);
         const NumberText text =
@@ -355,7 +355,7 @@ std::vector<PageCurve> spectrum_curves(const Session& session) {
         const QuantityInfo& about = info(quantity);
         PageCurve curve{std::string(about.title), {}, {}, about.low, about.high, about.kind == ScaleKind::cyclic};
         if (!about.unit.empty()) curve.name += fmt::format(" ({})", about.unit);
-        for (const WavelengthReadout& at : readout.wavelengths) {
+        for (const BandReadout& at : readout.bands) {
             PixelLight light = at.light;
             light.stokes = session.view().convention.stokes(rotate_basis(at.light.stokes, angle));
             const QuantityReadout shown = read_light(light, quantity, 1.0);
@@ -370,7 +370,7 @@ std::vector<PageCurve> spectrum_curves(const Session& session) {
 
 std::string text_of(const PixelPage& page) {
     std::string out =
-        fmt::format("pixel {},{}  {} nm\n{}\n", page.pixel.x, page.pixel.y, page.wavelength_nm, page.convention);
+        fmt::format("pixel {},{}  {}\n{}\n", page.pixel.x, page.pixel.y, page.band.label(), page.convention);
     for (const PageGroup& group : page.groups) {
         out += "\n" + group.title + "\n";
         for (const PageRow& r : group.rows)

@@ -38,10 +38,10 @@ struct PageGroup {
     std::vector<PageRow> rows;
 };
 
-/// One pixel behind the polarimeter at the shown wavelength, in the frame of Session::page and the shown convention.
+/// One pixel behind the polarimeter of the shown band, in the frame of Session::page and the shown convention.
 struct PixelPage {
     PixelAddress pixel{};
-    double wavelength_nm = 0.0;
+    Band band;
     std::string convention;  ///< its text
     std::string trouble;     ///< why the frame is not the one asked for; empty: it is
     bool from_tree = false;  ///< not rendered yet: the light is that of the explained sample

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/pages/pixel_readout.h"
 
-#include "spectrum/illuminant.h"
+#include "maps/color_picture.h"
+#include "maps/evaluate.h"
 #include "viewer/shown/shown_picture.h"
 
 namespace pol {
 
-QuantityReadout PixelReadout::quantity(Quantity quantity, std::size_t wavelength) const {
-    const WavelengthReadout& at = wavelengths[wavelength];
+QuantityReadout PixelReadout::quantity(Quantity quantity, std::size_t band) const {
+    const BandReadout& at = bands[band];
     if (info(quantity).is_over_d65 && !at.d65) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
     return read_light(at.light, quantity, at.d65.value_or(1.0));
 }
@@ -19,17 +20,17 @@ PixelReadout read_pixel(const Session& session, PixelAddress address, const Conv
     PixelReadout readout;
     readout.address = address;
     std::vector<double> spectrum;
-    for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w) {
-        WavelengthReadout at;
-        at.wavelength_nm = picture.wavelengths_nm[w];
+    for (std::size_t w = 0; w < picture.bands.size(); ++w) {
+        BandReadout at;
+        at.band = picture.bands[w];
         at.light = shown.light(w, pixel);
         at.tail = picture.plane_value(picture.tail, w, pixel);
         if (!picture.brightest.empty()) at.brightest = picture.brightest[w];
-        if (const auto d65 = d65_at(at.wavelength_nm)) at.d65 = d65.value();
-        readout.wavelengths.push_back(at);
+        if (const auto d65 = white_of(at.band)) at.d65 = d65.value();
+        readout.bands.push_back(at);
         spectrum.push_back(at.light.stokes.s0);
     }
-    readout.color = weighted_color(spectrum, color_weights(picture.wavelengths_nm));
+    readout.color = weighted_color(spectrum, band_colors(picture.bands));
     if (!picture.samples.empty()) readout.samples = picture.samples[pixel];
     if (!picture.failures.empty()) readout.failures = picture.failures[pixel];
     return readout;

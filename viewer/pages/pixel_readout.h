@@ -16,24 +16,24 @@
 
 namespace pol {
 
-struct WavelengthReadout {
-    double wavelength_nm = 0.0;
+struct BandReadout {
+    Band band;
     PixelLight light{};         ///< behind the polarimeter, in the convention asked for
     double tail = 0.0;          ///< share of the throughput that random paths stand for
     double brightest = 0.0;     ///< trace bound of the light that any path can bring; 0: not known
-    std::optional<double> d65;  ///< CIE D65 there; none outside its table
+    std::optional<double> d65;  ///< white_of the band; none outside the table of D65
 };
 
 struct PixelReadout {
     PixelAddress address{};
-    std::vector<WavelengthReadout> wavelengths;  ///< as in the picture
-    Rgb color{};                                 ///< linear sRGB
-    std::optional<std::uint32_t> samples;        ///< none: the picture does not say
-    std::optional<std::uint32_t> failures;       ///< samples whose arithmetic failed
+    std::vector<BandReadout> bands;         ///< as in the picture
+    Rgb color{};                            ///< linear sRGB
+    std::optional<std::uint32_t> samples;   ///< none: the picture does not say
+    std::optional<std::uint32_t> failures;  ///< samples whose arithmetic failed
 
-    /// `quantity` at one wavelength as maps::evaluate_light has it; `undefined` for the intensity where D65 is not
-    /// known. Requires: quantity is not `color`, wavelength < wavelengths.size().
-    [[nodiscard]] QuantityReadout quantity(Quantity quantity, std::size_t wavelength) const;
+    /// `quantity` of one band as maps::evaluate_light has it; `undefined` for the intensity where D65 is not
+    /// known. Requires: quantity is not `color`, band < bands.size().
+    [[nodiscard]] QuantityReadout quantity(Quantity quantity, std::size_t band) const;
 };
 
 /// Reads a pixel of the session's current picture. Requires: current() is not null, `address` lies inside the picture.

@@ -82,6 +82,8 @@ std::string_view state_text(PixelState state) {
             return "not a number";
         case PixelState::unphysical:
             return "unphysical";
+        case PixelState::not_measured:
+            return "not measured";
     }
     return "";
 }
@@ -102,8 +104,14 @@ std::string_view state_definition(PixelState state) {
             return "unphysical: S0 or the residual is negative, or there is polarized light without S0; a defect of "
                    "the "
                    "renderer";
+        case PixelState::not_measured:
+            return "not measured: the picture does not have all Stokes components that this needs, such as S3";
     }
     return "";
+}
+
+std::string band_text(const Band& band) {
+    return band.wavelength_nm ? short_number(*band.wavelength_nm, 6) + " nm" : band.name;
 }
 
 std::string short_number(double value, int digits) {

@@ -39,6 +39,8 @@ std::string value_text(Quantity quantity, const QuantityReadout& readout, int di
 
 /// At most `digits` significant digits, without trailing zeros and without "-0".
 std::string short_number(double value, int digits);
+/// "580 nm", or the name of a band that has no wavelength.
+std::string band_text(const Band& band);
 /// The same, but 0 for what is nothing but rounding (pixel_noise) beside `size`.
 std::string short_number(double value, int digits, double size);
 

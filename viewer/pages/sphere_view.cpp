@@ -43,7 +43,7 @@ std::optional<SpherePoint> sphere_point(const Stokes<double>& light) {
     return point;
 }
 
-std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t wavelength, const TileRect& region,
+std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t band, const TileRect& region,
                                        std::size_t most) {
     // The same step both ways keeps the sample a grid.
     const double share = static_cast<double>(region.pixel_count()) / static_cast<double>(most);
@@ -51,9 +51,9 @@ std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t wa
     std::vector<SpherePoint> points;
     for (int y = region.y0; y < region.y1; y += step) {
         for (int x = region.x0; x < region.x1; x += step) {
-            auto point = sphere_point(shown.stokes(wavelength, shown.picture().pixel(x, y)));
+            auto point = sphere_point(shown.stokes(band, shown.picture().pixel(x, y)));
             if (!point) continue;
-            point->wavelength = wavelength;
+            point->band = band;
             point->pixel = PixelAddress{x, y};
             points.push_back(*point);
         }
@@ -70,21 +70,21 @@ std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Pol
         auto point =
             sphere_point(convention.stokes(polarimeter.empty() ? node.share : polarimeter.mueller() * node.share));
         if (!point) continue;
-        point->wavelength = static_cast<std::size_t>(explanation.wavelength);
+        point->band = static_cast<std::size_t>(explanation.wavelength);
         point->node = leaf;
         points.push_back(*point);
     }
     return points;
 }
 
-std::vector<bool> pixels_inside(const ShownPicture& shown, std::size_t wavelength, const TileRect& region,
+std::vector<bool> pixels_inside(const ShownPicture& shown, std::size_t band, const TileRect& region,
                                 const SphereView& view, const std::vector<DVec2>& polygon, bool front_only) {
     const StokesImage& picture = shown.picture();
     std::vector<bool> marked(picture.pixel_count());
     for (int y = region.y0; y < region.y1; ++y) {
         for (int x = region.x0; x < region.x1; ++x) {
             const std::size_t pixel = picture.pixel(x, y);
-            const auto point = sphere_point(shown.stokes(wavelength, pixel));
+            const auto point = sphere_point(shown.stokes(band, pixel));
             if (!point) continue;
             const DVec3 seen = view.seen(point->place);
             marked[pixel] = (!front_only || seen.z >= 0.0) && is_inside(polygon, {seen.x, seen.y});

@@ -32,7 +32,7 @@ struct SphereView {
 struct SpherePoint {
     DVec3 place{0.0, 0.0, 0.0};
     double intensity = 0.0;  ///< S0
-    std::size_t wavelength = 0;
+    std::size_t band = 0;
     std::optional<PixelAddress> pixel;  ///< none: share of a leaf of the tree
     std::optional<int> node;
 };
@@ -48,9 +48,9 @@ std::array<SphereLabel, 6> sphere_labels(const Convention& convention);
 /// Empty unless S0 > 0 and everything is finite.
 std::optional<SpherePoint> sphere_point(const Stokes<double>& light);
 
-/// Pixels of `region` at one wavelength, every n-th so that there are at most about `most`; pixels without light are
-/// left out.
-std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t wavelength, const TileRect& region,
+/// Pixels of `region` in one band, every n-th so that there are at most about `most`; pixels without light are
+/// left out. None where a component was not measured.
+std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t band, const TileRect& region,
                                        std::size_t most);
 
 /// What each leaf brings to the pixel, in the pixel's frame, behind the elements of `polarimeter` and labeled in
@@ -60,7 +60,7 @@ std::vector<SpherePoint> sphere_points(const Explanation& explanation, const Pol
 
 /// Every pixel of `region` whose point is seen inside the polygon (in the coordinates of SphereView::seen), on the half
 /// that faces the viewer if `front_only`. As long as the picture has pixels.
-std::vector<bool> pixels_inside(const ShownPicture& shown, std::size_t wavelength, const TileRect& region,
+std::vector<bool> pixels_inside(const ShownPicture& shown, std::size_t band, const TileRect& region,
                                 const SphereView& view, const std::vector<DVec2>& polygon, bool front_only);
 
 /// True if `p` lies inside the closed polygon (even-odd rule).

@@ -30,14 +30,15 @@ std::string percentage(std::size_t count, std::size_t total) {
 std::string title_of(const Session& session) {
     const QuantityInfo& about = info(session.view().quantity);
     if (about.quantity == Quantity::color) return std::string(about.title);
-    const double nm = session.current()->picture().wavelengths_nm[session.view().wavelength];
-    const std::string unit = about.unit.empty() || about.unit == "\u00b0" ? "" : fmt::format(" ({})", about.unit);
+    const Band& band = session.current()->picture().bands[session.view().band];
+    const std::string_view in = unit_of(about.quantity, band);
+    const std::string unit = in.empty() || in == "\u00b0" ? "" : fmt::format(" ({})", in);
     const auto comparison = session.comparison();
     const std::string minus = comparison ? " minus that of " + comparison->reference->name() : "";
     const Convention& convention = session.view().convention;
     const bool is_other = convention.stokes_text() != Convention{}.stokes_text();
     const std::string labels = is_other && depends_on_convention(about.quantity) ? ", " + convention.stokes_text() : "";
-    return fmt::format("{}{}{}, {:.6g} nm{}", about.title, minus, unit, nm, labels);
+    return fmt::format("{}{}{}, {}{}", about.title, minus, unit, band_text(band), labels);
 }
 
 /// A box in the colors of the state, hatched if those change from pixel to pixel.

@@ -59,13 +59,12 @@ void GlyphOverlay::draw(const Session& session, const PlacedPicture& placed, con
     const Document& document = *session.current();
     const Source source{document.picture_layout(),
                         document.picture_version(),
-                        session.view().wavelength,
+                        session.view().band,
                         glyph_cell(settings, placed.transform.scale),
                         {seen.x0, seen.y0, seen.x1, seen.y1},
                         session.polarimeter()};
     if (!(source == source_)) {
-        glyphs_ =
-            glyphs_of(ShownPicture(document.picture(), session.polarimeter()), source.wavelength, source.cell, seen);
+        glyphs_ = glyphs_of(ShownPicture(document.picture(), session.polarimeter()), source.band, source.cell, seen);
         source_ = source;
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -74,7 +73,7 @@ void GlyphOverlay::draw(const Session& session, const PlacedPicture& placed, con
         const double radius = glyph_radius(glyph, settings);
         const ImU32 color = handedness_ink(glyph, session.view().convention);
         const bool is_line = std::abs(glyph.ellipticity) < looks_linear;
-        if (settings.kind == GlyphKind::azimuth_strokes) {
+        if (settings.kind == GlyphKind::azimuth_strokes || !glyph.has_ellipticity) {
             draw_stroke(list, center, glyph, radius,
                         IM_COL32(255, 255, 255, static_cast<int>(255.0 * glyph.azimuth_weight)));
             continue;

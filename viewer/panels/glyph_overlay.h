@@ -23,7 +23,7 @@ private:
     struct Source {
         std::uint64_t layout = 0;
         std::uint64_t version = 0;
-        std::size_t wavelength = 0;
+        std::size_t band = 0;
         int cell = 0;
         std::array<int, 4> seen{};
         Polarimeter polarimeter;

@@ -29,21 +29,21 @@ std::string first_line(const Session& session, const PixelReadout& readout, bool
                            short_number(readout.color[1], 4, size), short_number(readout.color[2], 4, size),
                            polarimeter);
     }
-    const double nm = readout.wavelengths[session.view().wavelength].wavelength_nm;
+    const std::string band = band_text(readout.bands[session.view().band].band);
     if (session.comparison()) {
         const ShownQuantity both = session.shown_quantity();
         const std::size_t pixel = session.current()->picture().pixel(readout.address.x, readout.address.y);
-        return fmt::format("{}  {} {} minus {}: {}  {:.6g} nm{}", place, info(quantity).title,
+        return fmt::format("{}  {} {} minus {}: {}  {}{}", place, info(quantity).title,
                            value_text(quantity, both.own(pixel), 6), value_text(quantity, both.of_reference(pixel), 6),
-                           readout_text(quantity, both.readout(pixel)), nm, polarimeter);
+                           readout_text(quantity, both.readout(pixel)), band, polarimeter);
     }
-    const QuantityReadout value = readout.quantity(quantity, session.view().wavelength);
-    return fmt::format("{}  {} {}  {:.6g} nm{}", place, info(quantity).title, readout_text(quantity, value), nm,
+    const QuantityReadout value = readout.quantity(quantity, session.view().band);
+    return fmt::format("{}  {} {}  {}{}", place, info(quantity).title, readout_text(quantity, value), band,
                        polarimeter);
 }
 
 std::string second_line(const Session& session, const PixelReadout& readout) {
-    const PixelLight& light = readout.wavelengths[session.view().wavelength].light;
+    const PixelLight& light = readout.bands[session.view().band].light;
     const Stokes<double>& s = light.stokes;
     const auto bars = stokes_bars(light);
     const auto number = [&](double value, Interval<double> MeasureBounds<double>::*bar) {

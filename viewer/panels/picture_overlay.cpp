@@ -39,7 +39,7 @@ class PixelLabels {
 public:
     explicit PixelLabels(const Session& session) : shown_(session.shown_picture()) {
         if (session.view().quantity == Quantity::color)
-            weights_ = color_weights(shown_.picture().wavelengths_nm);
+            weights_ = band_colors(shown_.picture().bands);
         else
             quantity_.emplace(session.shown_quantity());
     }
@@ -64,6 +64,7 @@ public:
                 return "NaN";
             case PixelState::unphysical:
                 return "!";
+            case PixelState::not_measured:
             case PixelState::no_light:
             case PixelState::undefined:
                 break;

@@ -127,12 +127,12 @@ void draw_group(const PageGroup& group, bool doubted) {
 }
 
 void draw_curves(const Session& session, Wishes& wishes) {
-    const std::vector<double>& wavelengths = session.current()->picture().wavelengths_nm;
-    if (wavelengths.size() < 2 || !ImGui::CollapsingHeader("Over wavelength", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    const std::vector<Band>& bands = session.current()->picture().bands;
+    const char* title = wavelengths_of(bands).empty() ? "Over the bands" : "Over wavelength";
+    if (bands.size() < 2 || !ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
     for (const PageCurve& curve : spectrum_curves(session))
-        if (const auto clicked =
-                draw_spectrum_plot(curve, wavelengths, session.view().wavelength, ImGui::GetFontSize() * 4.0F))
-            wishes.add([index = *clicked](Session& s) { s.choose_wavelength(index); });
+        if (const auto clicked = draw_spectrum_plot(curve, bands, session.view().band, ImGui::GetFontSize() * 4.0F))
+            wishes.add([index = *clicked](Session& s) { s.choose_band(index); });
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ void PixelPanel::draw(const Session& session, Wishes& wishes) {
     }
     draw_pins(session, wishes);
     const PixelPage page = make_pixel_page(session);
-    ImGui::Text("Pixel %d,%d at %s nm%s", page.pixel.x, page.pixel.y, short_number(page.wavelength_nm, 7).c_str(),
+    ImGui::Text("Pixel %d,%d at %s%s", page.pixel.x, page.pixel.y, band_text(page.band).c_str(),
                 session.polarimeter().empty() ? "" : ", behind the polarimeter");
     if (page.from_tree) ImGui::TextDisabled("not rendered yet: one sample, from its tree");
     if (ImGui::SmallButton("Copy all")) ImGui::SetClipboardText(text_of(page).c_str());

@@ -100,8 +100,9 @@ void draw_plan(const Plan& plan) {
 void draw_attributes(const Document& document) {
     const StokesImage& picture = document.picture();
     ImGui::TextWrapped("%s", document.path().string().c_str());
-    ImGui::Text("%d x %d pixels, %zu wavelength%s", picture.width, picture.height, picture.wavelengths_nm.size(),
-                picture.wavelengths_nm.size() == 1 ? "" : "s");
+    const bool is_spectrum = !wavelengths_of(picture.bands).empty();
+    ImGui::Text("%d x %d pixels, %zu %s%s", picture.width, picture.height, picture.bands.size(),
+                is_spectrum ? "wavelength" : "band", picture.bands.size() == 1 ? "" : "s");
     ImGui::TextWrapped("A picture from a file: paths, 3-D view and edits need its scene. Open the scene to have them.");
     if (!ImGui::BeginTable("attributes", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("name");

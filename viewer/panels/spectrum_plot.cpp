@@ -10,10 +10,9 @@
 
 namespace pol {
 
-std::optional<std::size_t> draw_spectrum_plot(const PageCurve& curve, const std::vector<double>& wavelengths_nm,
+std::optional<std::size_t> draw_spectrum_plot(const PageCurve& curve, const std::vector<Band>& bands,
                                               std::size_t current, float height) {
-    ImGui::Text("%s: %s at %s nm", curve.name.c_str(), curve.texts[current].c_str(),
-                short_number(wavelengths_nm[current], 6).c_str());
+    ImGui::Text("%s: %s at %s", curve.name.c_str(), curve.texts[current].c_str(), band_text(bands[current]).c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
     ImGui::PushID(curve.name.c_str());
@@ -23,11 +22,13 @@ std::optional<std::size_t> draw_spectrum_plot(const PageCurve& curve, const std:
     const ImVec2 far(corner.x + size.x, corner.y + size.y);
     draw.AddRectFilled(corner, far, ImGui::GetColorU32(ImGuiCol_FrameBg));
     const double range = curve.high > curve.low ? curve.high - curve.low : 1.0;
-    const double first = wavelengths_nm.front();
-    const double span = std::max(wavelengths_nm.back() - first, 1e-9);
+    const bool is_spectrum = !wavelengths_of(bands).empty();
+    const auto place = [&](std::size_t b) { return is_spectrum ? *bands[b].wavelength_nm : static_cast<double>(b); };
+    const double first = place(0);
+    const double span = std::max(place(bands.size() - 1) - first, 1e-9);
     constexpr float margin = 6.0F;
     const auto x_of = [&](std::size_t w) {
-        return corner.x + margin + (size.x - 2.0F * margin) * static_cast<float>((wavelengths_nm[w] - first) / span);
+        return corner.x + margin + (size.x - 2.0F * margin) * static_cast<float>((place(w) - first) / span);
     };
     const auto y_of = [&](double value) {
         return far.y - 3.0F - (size.y - 6.0F) * static_cast<float>((value - curve.low) / range);
@@ -49,11 +50,11 @@ std::optional<std::size_t> draw_spectrum_plot(const PageCurve& curve, const std:
 
     const float mouse = ImGui::GetIO().MousePos.x;
     std::size_t nearest = 0;
-    for (std::size_t w = 1; w < wavelengths_nm.size(); ++w)
+    for (std::size_t w = 1; w < bands.size(); ++w)
         if (std::abs(x_of(w) - mouse) < std::abs(x_of(nearest) - mouse)) nearest = w;
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s at %s nm (click to show this wavelength)", curve.texts[nearest].c_str(),
-                          short_number(wavelengths_nm[nearest], 6).c_str());
+        ImGui::SetTooltip("%s at %s (click to show it)", curve.texts[nearest].c_str(),
+                          band_text(bands[nearest]).c_str());
     return clicked ? std::optional(nearest) : std::nullopt;
 }
 

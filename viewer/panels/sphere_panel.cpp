@@ -146,14 +146,13 @@ std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
     const StokesImage& picture = session.current()->picture();
     const ShownPicture shown = session.shown_picture();
     std::vector<SpherePoint> found;
-    if (source_ == Source::region)
-        return sphere_points(shown, session.view().wavelength, region_of(session), most_points);
+    if (source_ == Source::region) return sphere_points(shown, session.view().band, region_of(session), most_points);
     if (source_ == Source::pins) {
         for (const PixelAddress& pin : session.selection().pins) {
-            for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w) {
+            for (std::size_t w = 0; w < picture.bands.size(); ++w) {
                 auto point = sphere_point(shown.stokes(w, picture.pixel(pin.x, pin.y)));
                 if (!point) continue;
-                point->wavelength = w;
+                point->band = w;
                 point->pixel = pin;
                 found.push_back(*point);
             }
@@ -180,8 +179,8 @@ void SpherePanel::handle_mouse(const Session& session, Wishes& wishes, const DVe
                            ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, click_slack).x == 0.0F &&
                            ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, click_slack).y == 0.0F;
     if (ImGui::IsItemDeactivated() && lasso_.size() > 2) {
-        wishes.add([pixels = pixels_inside(session.shown_picture(), session.view().wavelength, region_of(session),
-                                           view_, lasso_, front_only_)](Session& s) { s.mark(pixels); });
+        wishes.add([pixels = pixels_inside(session.shown_picture(), session.view().band, region_of(session), view_,
+                                           lasso_, front_only_)](Session& s) { s.mark(pixels); });
         source_ = Source::region;
     }
     if (ImGui::IsItemDeactivated()) lasso_.clear();
@@ -200,8 +199,8 @@ void SpherePanel::handle_mouse(const Session& session, Wishes& wishes, const DVe
     const std::string what =
         nearest->pixel ? fmt::format("pixel {},{}", picture.left + nearest->pixel->x, picture.top + nearest->pixel->y)
                        : fmt::format("branch {}", *nearest->node);
-    ImGui::SetTooltip("%s, %.6g nm\nS/S0 = (%s, %s, %s)\nS0 = %s", what.c_str(),
-                      session.current()->picture().wavelengths_nm[nearest->wavelength],
+    ImGui::SetTooltip("%s, %s\nS/S0 = (%s, %s, %s)\nS0 = %s", what.c_str(),
+                      band_text(session.current()->picture().bands[nearest->band]).c_str(),
                       short_number(nearest->place.x, 4).c_str(), short_number(nearest->place.y, 4).c_str(),
                       short_number(nearest->place.z, 4).c_str(), short_number(nearest->intensity, 4).c_str());
     if (!was_click) return;
@@ -229,7 +228,7 @@ void SpherePanel::draw_points(const Session& session, const DVec2& center, doubl
         // The dark end of the scale would not be seen on the dark ground.
         const Rgb color = scale_color(ColorScale::sequential, 0.3 + 0.7 * p.intensity / brightest);
         const bool is_many = source_ == Source::region;
-        draw_marker(list, at, is_many ? 0 : p.wavelength, is_many ? 1.8F : 3.5F, ink(encode(color), alpha));
+        draw_marker(list, at, is_many ? 0 : p.band, is_many ? 1.8F : 3.5F, ink(encode(color), alpha));
         const bool is_selected =
             (p.node && p.node == session.selection().node) || (p.pixel && p.pixel == session.selection().hovered);
         if (is_selected) list.AddCircle(point(at), 6.0F, pin_ink, 16, 1.5F);

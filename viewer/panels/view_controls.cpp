@@ -37,16 +37,18 @@ bool slide(const char* name, double& value, double low, double high, const char*
     return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format);
 }
 
-void choose_wavelength(const Session& session, Wishes& wishes) {
-    const auto& wavelengths = session.current()->picture().wavelengths_nm;
-    int index = static_cast<int>(session.view().wavelength);
-    const std::string shown = fmt::format("{:.6g} nm", wavelengths[session.view().wavelength]);
-    if (ImGui::SliderInt("wavelength", &index, 0, static_cast<int>(wavelengths.size()) - 1, shown.c_str(),
-                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
-        wishes.add([chosen = static_cast<std::size_t>(index)](Session& s) { s.choose_wavelength(chosen); });
-    tooltip(
-        "In vacuum. Every map but the color picture shows one of the rendered wavelengths; the keys [ and ] step "
-        "through them.");
+void choose_band(const Session& session, Wishes& wishes) {
+    const std::vector<Band>& bands = session.current()->picture().bands;
+    const bool is_spectrum = !wavelengths_of(bands).empty();
+    int index = static_cast<int>(session.view().band);
+    const std::string shown = band_text(bands[session.view().band]);
+    if (ImGui::SliderInt(is_spectrum ? "wavelength" : "band", &index, 0, static_cast<int>(bands.size()) - 1,
+                         shown.c_str(), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
+        wishes.add([chosen = static_cast<std::size_t>(index)](Session& s) { s.choose_band(chosen); });
+    tooltip(is_spectrum
+                ? "In vacuum. Every map but the color picture shows one of the rendered wavelengths; the keys [ and ] "
+                  "step through them."
+                : "As the file names it: no wavelength is known. The keys [ and ] step through the bands.");
 }
 
 void choose_scale(std::optional<ColorScale> scale, Wishes& wishes) {
@@ -61,7 +63,7 @@ void choose_scale(std::optional<ColorScale> scale, Wishes& wishes) {
 void draw_view_controls(const Session& session, Wishes& wishes) {
     ViewSettings view = session.view();
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - 80.0F);
-    choose_wavelength(session, wishes);
+    choose_band(session, wishes);
     if (choose("style", view.style, style_names)) wishes.set(&ViewSettings::style, view.style);
     tooltip(
         "Scientific: scales that need no color vision, states without a value in colors of their own. Paper: value "

@@ -29,7 +29,7 @@ LightFloats light_floats(const ShownPicture& shown, std::size_t wavelength, cons
 }
 
 ColorFloats color_floats(const StokesImage& picture, std::span<const Rgb> weights, const TileRect& rect) {
-    POL_EXPECTS(weights.size() == picture.wavelengths_nm.size());
+    POL_EXPECTS(weights.size() == picture.bands.size());
     ColorFloats floats;
     for (auto& channel : floats) channel.reserve(rect.pixel_count());
     const auto width = static_cast<std::size_t>(rect.width());

@@ -11,8 +11,8 @@
 
 #include "core/contract.h"
 #include "core/result.h"
+#include "maps/color_picture.h"
 #include "maps/evaluate.h"
-#include "spectrum/illuminant.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/render_target.h"
 #include "viewer/gl/shader_sources.h"
@@ -128,6 +128,7 @@ struct Drawn {
     float high = 1.0F;
     float brightest = 0.0F;
     float d65 = 1.0F;
+    bool is_measured = true;
     bool has_polarimeter = false;
     Float4 polarimeter_row{};
     float gain = 1.0F;
@@ -140,7 +141,7 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     const ViewSettings& view = session.view();
     const StokesImage& picture = session.current()->picture();
     const MapScale look = map_look(session);
-    const auto d65 = d65_at(picture.wavelengths_nm[view.wavelength]);
+    const auto d65 = white_of(picture.bands[view.band]);
     const auto first_row = session.polarimeter().mueller().m[0];
     Drawn drawn;
     drawn.width = width;
@@ -158,8 +159,9 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     drawn.black_is_none = look.black_is_none;
     drawn.low = to_single(look.range.low);
     drawn.high = to_single(look.range.high);
-    drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[view.wavelength]);
+    drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[view.band]);
     drawn.d65 = d65 ? to_single(d65.value()) : 0.0F;
+    drawn.is_measured = session.shown_picture().known(view.band).has(info(view.quantity).needs);
     drawn.has_polarimeter = !session.polarimeter().empty();
     drawn.polarimeter_row = to_single(first_row[0], first_row[1], first_row[2], first_row[3]);
     drawn.gain = to_single(std::exp2(view.exposure));
@@ -178,6 +180,7 @@ void set_uniforms(const Program& program, const Drawn& drawn) {
     program.set("high", drawn.high);
     program.set("brightest", drawn.brightest);
     program.set("d65", drawn.d65);
+    program.set("is_measured", drawn.is_measured ? 1 : 0);
     program.set("noise", to_single(pixel_noise));
     program.set("full_weight", to_single(full_weight_polarization));
     program.set("fades", drawn.fades ? 1 : 0);
@@ -239,8 +242,7 @@ void PictureRenderer::upload(const Session& session) {
     const bool is_new = gpu_->layout != document->picture_layout();
     const std::vector<TileRect> changes =
         is_new ? std::vector{everything} : document->changes_since(gpu_->picture_version);
-    const bool is_other_light = session.view().wavelength != gpu_->wavelength ||
-                                session.polarimeter() != gpu_->polarimeter ||
+    const bool is_other_light = session.view().band != gpu_->wavelength || session.polarimeter() != gpu_->polarimeter ||
                                 session.view().convention != gpu_->convention;
     if (is_new) {
         gpu_->stokes.resize(picture.width, picture.height);
@@ -249,7 +251,7 @@ void PictureRenderer::upload(const Session& session) {
     }
     gpu_->layout = document->picture_layout();
     gpu_->picture_version = document->picture_version();
-    gpu_->wavelength = session.view().wavelength;
+    gpu_->wavelength = session.view().band;
     gpu_->polarimeter = session.polarimeter();
     gpu_->convention = session.view().convention;
 
@@ -259,7 +261,7 @@ void PictureRenderer::upload(const Session& session) {
         gpu_->stokes.write(rect, floats.stokes);
         gpu_->left_out.write(rect, floats.left_out);
     };
-    const std::vector<Rgb> weights = color_weights(picture.wavelengths_nm);
+    const std::vector<Rgb> weights = band_colors(picture.bands);
     const auto write_color = [&](const TileRect& rect) {
         const ColorFloats floats = color_floats(picture, weights, rect);
         for (std::size_t c = 0; c < floats.size(); ++c) gpu_->color[c].write(rect, floats[c]);

@@ -29,6 +29,7 @@ std::string shader_constants(Quantity quantity) {
     text += number("state_undetermined", PixelState::undetermined);
     text += number("state_not_a_number", PixelState::not_a_number);
     text += number("state_unphysical", PixelState::unphysical);
+    text += number("state_not_measured", PixelState::not_measured);
     text += number("state_count", pixel_state_count);
     text += number("carrier_light", Carrier::light);
     text += number("carrier_polarized_part", Carrier::polarized_part);

@@ -46,16 +46,16 @@ void forget_preview(StokesImage& image) {
     }
 }
 
-/// The picture behind the polarimeter, labeled in a convention; of one wavelength if that is all that the map needs.
+/// The picture behind the polarimeter, labeled in a convention; of one band if that is all that the map needs.
 StokesImage seen_behind(const StokesImage& picture, const Polarimeter& polarimeter, const Convention& convention,
-                        std::optional<std::size_t> wavelength) {
+                        std::optional<std::size_t> band) {
     StokesImage seen;
     seen.width = picture.width;
     seen.height = picture.height;
     seen.stored = picture.stored;
     const std::size_t pixels = picture.pixel_count();
-    const std::size_t first = wavelength.value_or(0);
-    const std::size_t last = wavelength ? first + 1 : picture.wavelengths_nm.size();
+    const std::size_t first = band.value_or(0);
+    const std::size_t last = band ? first + 1 : picture.bands.size();
     const auto part = [&](const auto& planes) {
         if (planes.size() <= pixels) return planes;
         return std::decay_t<decltype(planes)>(planes.begin() + static_cast<std::ptrdiff_t>(first * pixels),
@@ -65,11 +65,12 @@ StokesImage seen_behind(const StokesImage& picture, const Polarimeter& polarimet
     seen.residual = part(picture.residual);
     seen.tail = part(picture.tail);
     for (std::size_t w = first; w < last; ++w) {
-        seen.wavelengths_nm.push_back(picture.wavelengths_nm[w]);
+        seen.bands.push_back(picture.bands[w]);
         if (!picture.brightest.empty()) seen.brightest.push_back(picture.brightest[w]);
     }
     if (polarimeter.empty() && convention == Convention{}) return seen;
     const ShownPicture shown(picture, polarimeter, convention);
+    for (std::size_t w = first; w < last; ++w) seen.bands[w - first].known = shown.known(w);
     for (std::size_t w = first; w < last; ++w)
         for (std::size_t pixel = 0; pixel < pixels; ++pixel)
             seen.stokes[(w - first) * pixels + pixel] = shown.stokes(w, pixel);
@@ -92,14 +93,13 @@ void lay_over_intensity(RgbPicture& shown, const StokesImage& seen, const MapOpt
 /// What a picture is held against, for another thread.
 struct LentReference {
     std::shared_ptr<const StokesImage> picture;
-    std::size_t wavelength = 0;
+    std::size_t band = 0;
 };
 
 Map difference_map(const StokesImage& picture, const ViewSettings& view, const Polarimeter& polarimeter,
                    const LentReference& reference) {
-    const ShownQuantity shown(picture, view, polarimeter,
-                              ReferencePicture{reference.picture.get(), reference.wavelength});
-    Map map{view.quantity, picture.wavelengths_nm[view.wavelength], true, picture.width, picture.height, {}};
+    const ShownQuantity shown(picture, view, polarimeter, ReferencePicture{reference.picture.get(), reference.band});
+    Map map{view.quantity, picture.bands[view.band], true, picture.width, picture.height, {}};
     map.pixels.reserve(picture.pixel_count());
     for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) map.pixels.push_back(shown.at(pixel));
     return map;
@@ -112,11 +112,11 @@ Result<Done> write_map(const StokesImage& picture, const ViewSettings& view, con
     const bool is_color = view.quantity == Quantity::color;
     const bool needs_all = is_color || view.over_intensity;
     const StokesImage seen =
-        seen_behind(picture, polarimeter, view.convention, needs_all ? std::nullopt : std::optional(view.wavelength));
+        seen_behind(picture, polarimeter, view.convention, needs_all ? std::nullopt : std::optional(view.band));
     progress = 0.2;
     POL_TRY(auto map,
             reference ? Result<ColoredMap>(colorize(difference_map(picture, view, polarimeter, *reference), options))
-                      : draw_map(seen, view.quantity, needs_all ? view.wavelength : 0, options));
+                      : draw_map(seen, view.quantity, needs_all ? view.band : 0, options));
     if (view.over_intensity && !is_color) lay_over_intensity(map.picture, seen, options);
     progress = 0.5;
     POL_TRY(const auto drawn, map_picture(map, caption));
@@ -134,14 +134,15 @@ std::vector<bool> wanted_pixels(const Selection& selection, const StokesImage& p
     return wanted;
 }
 
-/// One line per pixel and wavelength; what is not defined, or has no sample yet, is left empty. The last column says
-/// how S2, S3 and the angles are labeled.
+/// One line per pixel and band; what is not defined, was not measured, or has no sample yet, is left empty. The last
+/// column says how S2, S3 and the angles are labeled.
 Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& wanted, const Polarimeter& polarimeter,
                           const Convention& convention, const fs::path& path, ExportProgress& progress) {
     POL_TRY(auto file, OutputFile::create(path));
+    const bool is_spectrum = !wavelengths_of(picture.bands).empty();
     std::string text =
-        "x,y,wavelength_nm,S0,S1,S2,S3,dop,azimuth_deg,ellipticity_angle_deg,residual,tail,samples,"
-        "convention\n";
+        fmt::format("x,y,{},S0,S1,S2,S3,dop,azimuth_deg,ellipticity_angle_deg,residual,tail,samples,convention\n",
+                    is_spectrum ? "wavelength_nm" : "band");
     const ShownPicture shown(picture, polarimeter, convention);
     const std::string labels = convention.stokes_text();
     for (int y = 0; y < picture.height; ++y) {
@@ -149,17 +150,21 @@ Result<Done> write_pixels(const StokesImage& picture, const std::vector<bool>& w
             const std::size_t pixel = picture.pixel(x, y);
             if (!wanted.empty() && !wanted[pixel]) continue;
             const bool is_traced = picture.samples.empty() || picture.samples[pixel] > 0;
-            for (std::size_t w = 0; w < picture.wavelengths_nm.size(); ++w) {
+            for (std::size_t w = 0; w < picture.bands.size(); ++w) {
                 const Stokes<double> s = shown.stokes(w, pixel);
+                const StokesComponents known = shown.known(w);
+                const bool is_full = known == StokesComponents::all();
                 const Measures<double> m = measure(s, noise_threshold(1000.0));
                 const auto number = [&](bool defined, double value) {
                     return is_traced && defined ? fmt::to_string(value) : std::string();
                 };
                 fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n",
-                               picture.left + x, picture.top + y, picture.wavelengths_nm[w], number(true, s.s0),
-                               number(true, s.s1), number(true, s.s2), number(true, s.s3), number(m.has_light, m.dop),
-                               number(m.has_azimuth, degrees(m.azimuth)),
-                               number(m.has_polarization, degrees(m.ellipticity_angle)),
+                               picture.left + x, picture.top + y,
+                               is_spectrum ? fmt::to_string(*picture.bands[w].wavelength_nm) : picture.bands[w].name,
+                               number(known.has(0), s.s0), number(known.has(1), s.s1), number(known.has(2), s.s2),
+                               number(known.has(3), s.s3), number(m.has_light && is_full, m.dop),
+                               number(m.has_azimuth && known.has(StokesComponents::linear()), degrees(m.azimuth)),
+                               number(m.has_polarization && is_full, degrees(m.ellipticity_angle)),
                                is_traced ? picture.plane_value(picture.residual, w, pixel) : 1.0,
                                is_traced ? picture.plane_value(picture.tail, w, pixel) : 0.0,
                                picture.samples.empty() ? "" : fmt::to_string(picture.samples[pixel]), labels);
@@ -223,7 +228,7 @@ void export_map(Session& session) {
     if (const double done = document->progress().done; done < 1.0)
         caption += fmt::format(" at {:.0f} % of its samples", std::floor(100.0 * done));
     if (comparison) {
-        reference = LentReference{comparison->reference->lend_picture(), comparison->wavelength};
+        reference = LentReference{comparison->reference->lend_picture(), comparison->band};
         caption += " minus " + comparison->reference->name();
     }
     if (!session.polarimeter().empty()) caption += ", behind the polarimeter";

@@ -113,13 +113,10 @@ Result<Comparison> Session::compare() const {
         return refusal(fmt::format("{} begins at pixel {},{} of its picture, the reference {} at {},{}",
                                    document->name(), a.left, a.top, reference_->name(), b.left, b.top),
                        "compare the same part of both pictures");
-    const double nm = a.wavelengths_nm[std::min(view_.wavelength, a.wavelengths_nm.size() - 1)];
-    // Files keep wavelengths as decimal texts.
-    constexpr double same_nm = 1e-6;
-    for (std::size_t w = 0; w < b.wavelengths_nm.size(); ++w)
-        if (std::abs(b.wavelengths_nm[w] - nm) <= same_nm) return Comparison{reference_, w};
-    return refusal(fmt::format("the reference {} has no light of {:.6g} nm", reference_->name(), nm),
-                   "choose a wavelength that both pictures have, or render them at the same ones");
+    const Band& band = a.bands[std::min(view_.band, a.bands.size() - 1)];
+    if (const auto found = matching_band(b.bands, band)) return Comparison{reference_, *found};
+    return refusal(fmt::format("the reference {} has no band {}", reference_->name(), band.label()),
+                   "choose a band that both pictures have, or render them at the same wavelengths");
 }
 
 std::optional<Comparison> Session::comparison() const {
@@ -161,7 +158,7 @@ void Session::make_current(int index) {
     // Both are about the document that was on screen.
     if (window_.question == Question::unsaved_at_close || window_.question == Question::rewrite)
         window_.question = Question::none;
-    fit_wavelength();
+    fit_band();
 }
 
 void Session::close_document() {
@@ -260,8 +257,8 @@ void Session::look_for_shipped_files() {
     looked_for_shipped_files_ = true;
 }
 
-void Session::choose_wavelength(std::size_t index) {
-    if (current() != nullptr) view_.wavelength = std::min(index, current()->picture().wavelengths_nm.size() - 1);
+void Session::choose_band(std::size_t index) {
+    if (current() != nullptr) view_.band = std::min(index, current()->picture().bands.size() - 1);
 }
 
 void Session::finish_shown_map() {
@@ -325,7 +322,7 @@ std::optional<ExplanationRequest> Session::wanted_explanation() const {
     const auto last_sample = static_cast<std::uint32_t>(settings.last_sample());
     const std::size_t last_wavelength = document->plan()->wavelengths_nm.size() - 1;
     return ExplanationRequest{document->plan(), *pinned, std::min(selection_.sample, last_sample),
-                              static_cast<int>(std::min(view_.wavelength, last_wavelength))};
+                              static_cast<int>(std::min(view_.band, last_wavelength))};
 }
 
 std::shared_ptr<const Explanation> Session::explanation() const {
@@ -341,17 +338,20 @@ void Session::follow_files() {
     }
 }
 
-/// Another picture may count its wavelengths otherwise: it is shown at the wavelength nearest to the one that was
-/// chosen last, or to the default if none was.
-void Session::fit_wavelength() {
+/// Another picture may count its bands otherwise: it is shown in the band of the same label, else at the wavelength
+/// nearest to the one that was chosen last, or to the default if none was; else in its first band.
+void Session::fit_band() {
     if (current() == nullptr) return;
-    const std::vector<double>& known = current()->picture().wavelengths_nm;
-    if (known == wavelengths_nm_) return;
-    const bool was_chosen =
-        !wavelengths_nm_.empty() && view_.wavelength != nearest_wavelength(wavelengths_nm_, wanted_nm_);
-    if (was_chosen) wanted_nm_ = wavelengths_nm_[std::min(view_.wavelength, wavelengths_nm_.size() - 1)];
-    wavelengths_nm_ = known;
-    view_.wavelength = nearest_wavelength(known, wanted_nm_);
+    const std::vector<Band>& known = current()->picture().bands;
+    if (known == bands_) return;
+    const std::vector<double> before_nm = wavelengths_of(bands_);
+    const bool was_chosen = !before_nm.empty() && view_.band != nearest_wavelength(before_nm, wanted_nm_);
+    if (was_chosen) wanted_nm_ = before_nm[std::min(view_.band, before_nm.size() - 1)];
+    const std::optional<std::size_t> same =
+        before_nm.empty() && view_.band < bands_.size() ? matching_band(known, bands_[view_.band]) : std::nullopt;
+    bands_ = known;
+    const std::vector<double> known_nm = wavelengths_of(known);
+    view_.band = known_nm.empty() ? same.value_or(0) : nearest_wavelength(known_nm, wanted_nm_);
 }
 
 }  // namespace pol

@@ -102,8 +102,8 @@ public:
 
     [[nodiscard]] const ViewSettings& view() const { return view_; }
     ViewSettings& change_view() { return view_; }
-    /// Index into the picture's wavelengths; one that it does not have: its last one. Nothing open: does nothing.
-    void choose_wavelength(std::size_t index);
+    /// Index into the picture's bands; one that it does not have: its last one. Nothing open: does nothing.
+    void choose_band(std::size_t index);
     /// Shows another map.
     void show(Quantity quantity) { view_.quantity = quantity; }
     [[nodiscard]] const ViewTransform& transform() const { return transform_; }
@@ -180,7 +180,7 @@ private:
     bool open_twin(Scene scene, const std::string& kind, const std::string& what_it_is);
     bool logged(const Result<Done>& result);
     void follow_files();
-    void fit_wavelength();
+    void fit_band();
     void fit_selection();
     void look_for_shipped_files();
     /// Index into documents_; -1: none.
@@ -192,7 +192,7 @@ private:
     std::vector<std::unique_ptr<Document>> documents_;
     int current_ = -1;
     Document* reference_ = nullptr;
-    std::vector<double> wavelengths_nm_;  ///< that ViewSettings::wavelength counts
+    std::vector<Band> bands_;  ///< that ViewSettings::band counts
     double wanted_nm_ = default_wavelength_nm;
     ViewSettings view_;
     ViewTransform transform_;

@@ -16,7 +16,7 @@ void Session::fit_selection() {
         return;
     }
     const StokesImage& picture = document->picture();
-    fit_wavelength();
+    fit_band();
     const auto outside = [&](PixelAddress pixel) { return pixel.x >= picture.width || pixel.y >= picture.height; };
     if (selection_.hovered && outside(*selection_.hovered)) selection_.hovered.reset();
     if (selection_.marked.size() != picture.pixel_count()) {

@@ -23,19 +23,20 @@ int glyph_cell(const GlyphSettings& settings, double scale) {
     return std::max(1, static_cast<int>(std::lround(settings.spacing / scale)));
 }
 
-std::vector<Glyph> glyphs_of(const ShownPicture& shown, std::size_t wavelength, int cell, const TileRect& seen) {
+std::vector<Glyph> glyphs_of(const ShownPicture& shown, std::size_t band, int cell, const TileRect& seen) {
     const StokesImage& picture = shown.picture();
     std::vector<Glyph> glyphs;
     double brightest = 0.0;
     for (int y = seen.y0 / cell * cell; y < seen.y1; y += cell) {
         for (int x = seen.x0 / cell * cell; x < seen.x1; x += cell) {
             const TileRect rect{x, y, std::min(x + cell, picture.width), std::min(y + cell, picture.height)};
-            const PixelLight light = shown.mean_light(wavelength, rect);
+            const PixelLight light = shown.mean_light(band, rect);
             const auto value = [&](Quantity quantity) { return evaluate_light(light, quantity, 1.0); };
-            const MapPixel handedness = value(Quantity::handedness);
-            const MapPixel dop = value(Quantity::dop);
-            if (handedness.state != PixelState::defined || dop.state != PixelState::defined) continue;
-            if (handedness.weight < least_weight) continue;
+            const bool is_linear = !light.known.has(3);
+            const MapPixel shape = value(is_linear ? Quantity::azimuth : Quantity::handedness);
+            const MapPixel dop = value(is_linear ? Quantity::dolp : Quantity::dop);
+            if (shape.state != PixelState::defined || dop.state != PixelState::defined) continue;
+            if (shape.weight < least_weight) continue;
             const MapPixel azimuth = value(Quantity::azimuth);
             Glyph glyph;
             glyph.center = {0.5 * (rect.x0 + rect.x1), 0.5 * (rect.y0 + rect.y1)};
@@ -45,8 +46,9 @@ std::vector<Glyph> glyphs_of(const ShownPicture& shown, std::size_t wavelength, 
                 glyph.azimuth = radians(azimuth.value);
                 glyph.azimuth_weight = azimuth.weight;
             }
-            glyph.ellipticity = std::tan(0.5 * std::asin(std::clamp(handedness.value, -1.0, 1.0)));
-            glyph.weight = handedness.weight;
+            glyph.has_ellipticity = !is_linear;
+            if (!is_linear) glyph.ellipticity = std::tan(0.5 * std::asin(std::clamp(shape.value, -1.0, 1.0)));
+            glyph.weight = shape.weight;
             brightest = std::max(brightest, glyph.intensity);
             glyphs.push_back(glyph);
         }

@@ -22,6 +22,8 @@ struct Glyph {
     double ellipticity = 0.0;     ///< b/a, positive if the field turns clockwise on the picture
     double azimuth_weight = 0.0;  ///< as MapPixel::weight; 0: there is no azimuth
     double weight = 1.0;          ///< of the polarization: 1 fully meant
+    bool has_ellipticity =
+        true;  ///< false: S3 was not measured, only the azimuth is known; `dop` is that of linear light
 };
 
 /// Side of the cell of one glyph, whole pixels. `scale`: points per pixel.
@@ -30,7 +32,7 @@ int glyph_cell(const GlyphSettings& settings, double scale);
 /// `shown` in the engine's own convention: a glyph is drawn on the picture, which the receiver sees. One glyph per cell
 /// that touches `seen` and whose mean light has a polarization that stands above what was not traced and above
 /// rounding; cells are counted from the picture's corner, so glyphs go with the picture when it is panned.
-std::vector<Glyph> glyphs_of(const ShownPicture& shown, std::size_t wavelength, int cell, const TileRect& seen);
+std::vector<Glyph> glyphs_of(const ShownPicture& shown, std::size_t band, int cell, const TileRect& seen);
 
 /// What the colors of the ellipses say: blue for what this convention calls right-handed, yellow left-handed, as Wilkie
 /// & Weidlich have chirality.

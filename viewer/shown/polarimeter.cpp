@@ -49,7 +49,8 @@ std::span<const StandardAnalyzer> standard_analyzers() {
 
 PixelLight behind(const MuellerMatrix<double>& train, const PixelLight& light) {
     PixelLight result = light;
-    result.stokes = train * light.stokes;
+    result.known = known_behind(train, light.known);
+    result.stokes = only(result.known, train * light.stokes);
     if (light.scale == 0.0) result.scale = light.stokes.s0;
     return result;
 }

@@ -57,7 +57,7 @@ void ShownMap::restart(const Document& document, const Key& key) {
     rows_done_ = 0;
     sweep_cost_s_ = 0.0;
     luminance_weights_.clear();
-    for (const Rgb& weight : color_weights(picture.wavelengths_nm)) luminance_weights_.push_back(to_xyz(weight)[1]);
+    for (const Rgb& weight : band_colors(picture.bands)) luminance_weights_.push_back(to_xyz(weight)[1]);
 }
 
 /// `quantity` is that on screen; none: color.
@@ -107,13 +107,12 @@ void ShownMap::summarize(int width) {
 
 bool ShownMap::update(const Document& document, const ViewSettings& view, const Polarimeter& polarimeter,
                       double seconds, bool grows, const std::optional<Comparison>& comparison) {
-    Key key{document.picture_layout(), view.quantity,   view.wavelength, polarimeter, 0, 0,
-            view.convention,           view.fade_by_bar};
+    Key key{document.picture_layout(), view.quantity, view.band, polarimeter, 0, 0, view.convention, view.fade_by_bar};
     const double start = now_s();
     key_version_ = document.picture_version();
     if (comparison) {
         key.reference_layout = comparison->reference->picture_layout();
-        key.reference_wavelength = comparison->wavelength;
+        key.reference_band = comparison->band;
         key_version_ += comparison->reference->picture_version();  // both only grow
     }
     if (order_.empty() || !(key == key_)) {

@@ -18,8 +18,8 @@ namespace pol {
 /// The document that the one on screen is held against, pixel by pixel.
 struct Comparison {
     const Document* reference = nullptr;
-    std::size_t wavelength = 0;  ///< of the reference, in its own list: the one on screen
-    [[nodiscard]] ReferencePicture picture() const { return {&reference->picture(), wavelength}; }
+    std::size_t band = 0;  ///< of the reference, in its own list: the one on screen
+    [[nodiscard]] ReferencePicture picture() const { return {&reference->picture(), band}; }
 };
 
 /// What a map contains, as far as it is known.
@@ -65,10 +65,10 @@ private:
     struct Key {
         std::uint64_t layout = 0;
         Quantity quantity{};
-        std::size_t wavelength = 0;
+        std::size_t band = 0;
         Polarimeter polarimeter;
         std::uint64_t reference_layout = 0;  // 0: no reference
-        std::size_t reference_wavelength = 0;
+        std::size_t reference_band = 0;
         Convention convention;
         bool fade_by_bar = false;
         friend bool operator==(const Key&, const Key&) = default;
@@ -87,7 +87,7 @@ private:
     std::vector<double> values_;
     std::vector<PixelState> states_;
     std::vector<float> weights_;
-    std::vector<double> luminance_weights_;  // by wavelength, for color
+    std::vector<double> luminance_weights_;  // by band, for color
     MapSummary summary_;
     std::uint64_t version_ = 0;
     double sweep_cost_s_ = 0.0;

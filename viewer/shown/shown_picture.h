@@ -21,15 +21,16 @@ public:
         if (!polarimeter.empty()) train_ = polarimeter.mueller();
     }
     /// Requires: indices inside the picture.
-    [[nodiscard]] PixelLight light(std::size_t wavelength, std::size_t pixel) const {
-        return labeled(pixel_light(picture_, wavelength, pixel));
+    [[nodiscard]] PixelLight light(std::size_t band, std::size_t pixel) const {
+        return labeled(pixel_light(picture_, band, pixel));
     }
     /// The same of the mean light of a rectangle. Requires: it lies inside the picture and is not empty.
-    [[nodiscard]] PixelLight mean_light(std::size_t wavelength, const TileRect& rect) const {
+    [[nodiscard]] PixelLight mean_light(std::size_t band, const TileRect& rect) const {
         PixelLight mean;
+        mean.known = picture_.bands[band].known;
         for (int y = rect.y0; y < rect.y1; ++y) {
             for (int x = rect.x0; x < rect.x1; ++x) {
-                const PixelLight light = pixel_light(picture_, wavelength, picture_.pixel(x, y));
+                const PixelLight light = pixel_light(picture_, band, picture_.pixel(x, y));
                 mean.stokes += light.stokes;
                 mean.missing += light.missing;
                 mean.surplus += light.surplus;
@@ -45,9 +46,15 @@ public:
         mean.residual *= share;
         return labeled(mean);
     }
-    [[nodiscard]] Stokes<double> stokes(std::size_t wavelength, std::size_t pixel) const {
-        const Stokes<double>& s = picture_.at(wavelength, pixel);
-        return convention_.stokes(train_ ? *train_ * s : s);
+    /// Those of a band that are known on screen.
+    [[nodiscard]] StokesComponents known(std::size_t band) const {
+        const StokesComponents known = picture_.bands[band].known;
+        return train_ ? known_behind(*train_, known) : known;
+    }
+    /// 0 where not known.
+    [[nodiscard]] Stokes<double> stokes(std::size_t band, std::size_t pixel) const {
+        const Stokes<double>& s = picture_.at(band, pixel);
+        return convention_.stokes(train_ ? only(known(band), *train_ * s) : s);
     }
     [[nodiscard]] const StokesImage& picture() const { return picture_; }
 

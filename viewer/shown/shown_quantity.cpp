@@ -5,7 +5,6 @@
 
 #include "core/contract.h"
 #include "maps/difference.h"
-#include "spectrum/illuminant.h"
 
 namespace pol {
 
@@ -28,18 +27,18 @@ QuantityReadout read_light(const PixelLight& light, Quantity quantity, double d6
 
 ShownQuantity::ShownQuantity(const StokesImage& picture, const ViewSettings& view, const Polarimeter& polarimeter,
                              const std::optional<ReferencePicture>& reference)
-    : quantity_(view.quantity), picture_(picture, polarimeter, view.convention), wavelength_(view.wavelength) {
+    : quantity_(view.quantity), picture_(picture, polarimeter, view.convention), band_(view.band) {
     POL_EXPECTS(quantity_ != Quantity::color);
     if (reference) {
         reference_.emplace(*reference->picture, polarimeter, view.convention);
-        reference_wavelength_ = reference->wavelength;
+        reference_band_ = reference->band;
     }
-    if (const auto d65 = d65_at(picture.wavelengths_nm[wavelength_])) d65_ = d65.value();
+    if (const auto d65 = white_of(picture.bands[band_])) d65_ = d65.value();
 }
 
 MapPixel ShownQuantity::at(std::size_t pixel) const {
-    const MapPixel own = value(picture_, wavelength_, pixel);
-    return reference_ ? difference(quantity_, own, value(*reference_, reference_wavelength_, pixel)) : own;
+    const MapPixel own = value(picture_, band_, pixel);
+    return reference_ ? difference(quantity_, own, value(*reference_, reference_band_, pixel)) : own;
 }
 
 QuantityReadout ShownQuantity::readout(std::size_t pixel) const {
@@ -55,14 +54,14 @@ QuantityReadout ShownQuantity::readout(std::size_t pixel) const {
     return by;
 }
 
-QuantityReadout ShownQuantity::read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
+QuantityReadout ShownQuantity::read(const ShownPicture& picture, std::size_t band, std::size_t pixel) const {
     if (info(quantity_).is_over_d65 && !d65_) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
-    return read_light(picture.light(wavelength, pixel), quantity_, d65_.value_or(1.0));
+    return read_light(picture.light(band, pixel), quantity_, d65_.value_or(1.0));
 }
 
-MapPixel ShownQuantity::value(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const {
+MapPixel ShownQuantity::value(const ShownPicture& picture, std::size_t band, std::size_t pixel) const {
     if (info(quantity_).is_over_d65 && !d65_) return {0.0, 0.0, PixelState::undefined};
-    return evaluate_light(picture.light(wavelength, pixel), quantity_, d65_.value_or(1.0));
+    return evaluate_light(picture.light(band, pixel), quantity_, d65_.value_or(1.0));
 }
 
 }  // namespace pol

@@ -26,10 +26,10 @@ std::optional<MeasureBounds<double>> stokes_bars(const PixelLight& light);
 /// `quantity` of some light with its bar; `d65` as in maps::evaluate_light. Requires: quantity is not `color`.
 QuantityReadout read_light(const PixelLight& light, Quantity quantity, double d65);
 
-/// A picture that another one is held against, and which of its wavelengths is compared.
+/// A picture that another one is held against, and which of its bands is compared.
 struct ReferencePicture {
     const StokesImage* picture = nullptr;
-    std::size_t wavelength = 0;
+    std::size_t band = 0;
 };
 
 /// The shown quantity, behind the polarimeter and in the shown convention, pixel by pixel: that of the picture, or how
@@ -44,21 +44,21 @@ public:
     [[nodiscard]] MapPixel at(std::size_t pixel) const;
     /// The same with its bar; that of a difference is as wide as both bars together.
     [[nodiscard]] QuantityReadout readout(std::size_t pixel) const;
-    [[nodiscard]] QuantityReadout own(std::size_t pixel) const { return read(picture_, wavelength_, pixel); }
+    [[nodiscard]] QuantityReadout own(std::size_t pixel) const { return read(picture_, band_, pixel); }
     /// Requires: there is a reference.
     [[nodiscard]] QuantityReadout of_reference(std::size_t pixel) const {
-        return read(*reference_, reference_wavelength_, pixel);
+        return read(*reference_, reference_band_, pixel);
     }
 
 private:
-    [[nodiscard]] QuantityReadout read(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const;
-    [[nodiscard]] MapPixel value(const ShownPicture& picture, std::size_t wavelength, std::size_t pixel) const;
+    [[nodiscard]] QuantityReadout read(const ShownPicture& picture, std::size_t band, std::size_t pixel) const;
+    [[nodiscard]] MapPixel value(const ShownPicture& picture, std::size_t band, std::size_t pixel) const;
 
     Quantity quantity_;
     ShownPicture picture_;
-    std::size_t wavelength_;
+    std::size_t band_;
     std::optional<ShownPicture> reference_;
-    std::size_t reference_wavelength_ = 0;
+    std::size_t reference_band_ = 0;
     std::optional<double> d65_;  ///< none outside its table
 };
 

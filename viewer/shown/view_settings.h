@@ -26,7 +26,7 @@ struct GlyphSettings {
 
 struct ViewSettings {
     Quantity quantity = Quantity::color;
-    std::size_t wavelength = 0;  ///< index into the picture's wavelengths
+    std::size_t band = 0;  ///< index into the picture's bands
     MapStyle style = MapStyle::scientific;
     std::optional<ColorScale> scale;  ///< instead of the one that style and quantity choose
     /// By quantity: instead of the range of QuantityInfo.

@@ -189,10 +189,12 @@ Result<StokesImage> read_picture(Imf::MultiPartInputFile& file, std::uintmax_t f
     image.height = static_cast<int>(height);
     image.left = window.min.x - header.displayWindow().min.x;
     image.top = window.min.y - header.displayWindow().min.y;
+    image.whole_width = header.displayWindow().max.x - header.displayWindow().min.x + 1;
+    image.whole_height = header.displayWindow().max.y - header.displayWindow().min.y + 1;
     image.stored = parts.stored(layout.stokes_channels());
-    image.wavelengths_nm = exact_wavelengths(parts, layout.stokes[0]);
+    image.bands = bands_at(exact_wavelengths(parts, layout.stokes[0]));
     const std::size_t pixels = image.pixel_count();
-    image.stokes.resize(pixels * image.wavelengths_nm.size());
+    image.stokes.resize(pixels * image.bands.size());
 
     PlaneReader reader(image.width, located);
     for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
@@ -226,7 +228,7 @@ Result<StokesImage> read_picture(Imf::MultiPartInputFile& file, std::uintmax_t f
     reader.read(file);
 
     const std::vector<double> brightest = parse_numbers(parts.text(exr::brightest_attribute));
-    if (brightest.size() == image.wavelengths_nm.size()) image.brightest = brightest;
+    if (brightest.size() == image.bands.size()) image.brightest = brightest;
     const std::string_view prefix = exr::attribute_prefix;
     for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
         const std::string name = attribute.name();

@@ -37,6 +37,10 @@ float to_file_number(double value) {
     return static_cast<float>(value);
 }
 
+std::string band_suffix(const Band& band) {
+    return band.wavelength_nm ? wavelength_suffix(*band.wavelength_nm) : band.name;
+}
+
 /// OpenEXR's view of an OutputFile.
 class ExrStream : public Imf::OStream {
 public:
@@ -77,9 +81,9 @@ void add_share_channels(std::vector<FloatChannel>& channels, const StokesImage& 
         channels.push_back({layer, Imf::FLOAT, [&planes](std::size_t pixel) { return planes[pixel]; }});
         return;
     }
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
+    for (std::size_t w = 0; w < image.bands.size(); ++w) {
         const std::size_t offset = w * image.pixel_count();
-        channels.push_back({fmt::format("{}.{}", layer, wavelength_suffix(image.wavelengths_nm[w])), Imf::FLOAT,
+        channels.push_back({fmt::format("{}.{}", layer, band_suffix(image.bands[w])), Imf::FLOAT,
                             [&planes, offset](std::size_t pixel) { return planes[offset + pixel]; }});
     }
 }
@@ -89,8 +93,8 @@ void add_stokes_channels(std::vector<FloatChannel>& channels, const StokesImage&
                          const std::vector<Stokes<double>>& planes, const std::string& prefix) {
     if (planes.empty()) return;
     POL_EXPECTS(planes.size() == image.stokes.size());
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
-        const std::string suffix = wavelength_suffix(image.wavelengths_nm[w]);
+    for (std::size_t w = 0; w < image.bands.size(); ++w) {
+        const std::string suffix = band_suffix(image.bands[w]);
         const std::size_t offset = w * image.pixel_count();
         for (const exr::StokesLayer& layer : exr::stokes_layers) {
             channels.push_back(
@@ -147,7 +151,7 @@ Imf::Header header_of(const StokesImage& image, const Channels& channels) {
     set(prefix + "timeSign", "exp(-i omega t)");
     set(prefix + "version", POL_VERSION);
     for (const auto& [name, text] : image.attributes) set(prefix + name, text);
-    set(exr::wavelengths_attribute, number_list(image.wavelengths_nm));
+    set(exr::wavelengths_attribute, number_list(wavelengths_of(image.bands)));
     if (!image.brightest.empty()) set(exr::brightest_attribute, number_list(image.brightest));
 
     for (const FloatChannel& channel : channels.numbers)
@@ -203,10 +207,10 @@ void write_pixels(Imf::OutputFile& file, const StokesImage& image, const Channel
 std::optional<Error> first_problem(const StokesImage& image) {
     const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
     if (image.width <= 0 || image.height <= 0) return usage("a picture without pixels cannot be written");
-    if (image.wavelengths_nm.empty()) return usage("a picture without wavelengths cannot be written");
-    for (std::size_t w = 1; w < image.wavelengths_nm.size(); ++w) {
-        const std::string name = wavelength_suffix(image.wavelengths_nm[w]);
-        if (name == wavelength_suffix(image.wavelengths_nm[w - 1])) {
+    if (image.bands.empty()) return usage("a picture without wavelengths cannot be written");
+    for (std::size_t w = 1; w < image.bands.size(); ++w) {
+        const std::string name = band_suffix(image.bands[w]);
+        if (name == band_suffix(image.bands[w - 1])) {
             return usage(fmt::format("two wavelengths have the same channel name {}", name));
         }
     }
@@ -218,8 +222,8 @@ std::optional<Error> first_problem(const StokesImage& image) {
 Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& path,
                        const std::function<void(double)>& progress) {
     if (const auto problem = first_problem(image)) return *problem;
-    POL_EXPECTS(image.stokes.size() == image.pixel_count() * image.wavelengths_nm.size());
-    POL_EXPECTS(image.brightest.empty() || image.brightest.size() == image.wavelengths_nm.size());
+    POL_EXPECTS(image.stokes.size() == image.pixel_count() * image.bands.size());
+    POL_EXPECTS(image.brightest.empty() || image.brightest.size() == image.bands.size());
 
     POL_TRY(auto created, OutputFile::create(path));
     OutputFile& file = *created;

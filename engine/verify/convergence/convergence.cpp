@@ -193,9 +193,9 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
     const RenderSettings& s = request_.scene.render;
     // Files name wavelengths to 1e-6 nm.
     const auto same_nm = [](double a, double b) { return std::abs(a - b) < 1e-5; };
+    const std::vector<double> there = wavelengths_of(reference_.bands);
     if (reference_.width != s.width || reference_.height != s.height ||
-        !std::equal(s.wavelengths_nm.begin(), s.wavelengths_nm.end(), reference_.wavelengths_nm.begin(),
-                    reference_.wavelengths_nm.end(), same_nm))
+        !std::equal(s.wavelengths_nm.begin(), s.wavelengths_nm.end(), there.begin(), there.end(), same_nm))
         return refuse("the reference has another size or other wavelengths than the runs",
                       "give --size and --wavelengths of the reference");
     if (reference_.left != 0 || reference_.top != 0)

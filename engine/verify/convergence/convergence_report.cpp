@@ -155,7 +155,7 @@ RgbPicture error_map(const StokesImage& test, const StokesImage& reference) {
     const std::size_t pixels = reference.pixel_count();
     std::vector<double> squares(pixels, 0.0);
     double size = 0.0;
-    for (std::size_t w = 0; w < reference.wavelengths_nm.size(); ++w) {
+    for (std::size_t w = 0; w < reference.bands.size(); ++w) {
         for (std::size_t p = 0; p < pixels; ++p) {
             squares[p] += frobenius_square(test.at(w, p) - reference.at(w, p));
             size += frobenius_square(reference.at(w, p));

@@ -138,9 +138,9 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
 }
 
 LightDefects light_defects(const StokesImage& image, double rounding) {
-    POL_EXPECTS(image.brightest.size() == image.wavelengths_nm.size());
+    POL_EXPECTS(image.brightest.size() == image.bands.size());
     LightDefects result;
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w) {
+    for (std::size_t w = 0; w < image.bands.size(); ++w) {
         const double brightest = image.brightest[w];
         for (std::size_t p = 0; p < image.pixel_count(); ++p) {
             const Stokes<double>& s = image.at(w, p);
@@ -176,22 +176,22 @@ PixelBound bound_of(const StokesImage& image, std::size_t wavelength, std::size_
 }  // namespace
 
 double relative_bound(const StokesImage& image, const StokesImage& reference) {
-    POL_EXPECTS(image.brightest.size() == image.wavelengths_nm.size());
+    POL_EXPECTS(image.brightest.size() == image.bands.size());
     double sum = 0.0;
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w)
+    for (std::size_t w = 0; w < image.bands.size(); ++w)
         for (std::size_t p = 0; p < image.pixel_count(); ++p) sum += std::pow(bound_of(image, w, p).matrix, 2);
     return relative(std::sqrt(sum / static_cast<double>(image.stokes.size())), matrix_rms(reference));
 }
 
 BoundCoverage bound_coverage(const StokesImage& test, const StokesImage& reference, double rounding) {
     POL_EXPECTS(!test.stokes.empty() && test.stokes.size() == reference.stokes.size() &&
-                test.brightest.size() == test.wavelengths_nm.size());
+                test.brightest.size() == test.bands.size());
     constexpr double known_better = 0.1;
     BoundCoverage result;
     std::vector<double> ratios;
     std::size_t inside = 0;
     double sum = 0.0;
-    for (std::size_t w = 0; w < test.wavelengths_nm.size(); ++w) {
+    for (std::size_t w = 0; w < test.bands.size(); ++w) {
         for (std::size_t p = 0; p < test.pixel_count(); ++p) {
             const PixelBound bound = bound_of(test, w, p);
             const PixelBound of_reference = bound_of(reference, w, p);

@@ -9,19 +9,20 @@
 namespace pol::verify {
 
 StokesImage at_wavelengths(const StokesImage& picture, const std::vector<double>& wavelengths_nm) {
-    if (picture.wavelengths_nm == wavelengths_nm) return picture;
+    const std::vector<double> there = wavelengths_of(picture.bands);
+    if (there == wavelengths_nm) return picture;
     StokesImage part;
     part.width = picture.width;
     part.height = picture.height;
-    part.wavelengths_nm = wavelengths_nm;
+    part.bands = bands_at(wavelengths_nm);
     part.samples = picture.samples;
     part.failures = picture.failures;
     part.attributes = picture.attributes;
     const auto pixels = static_cast<std::ptrdiff_t>(picture.pixel_count());
     for (const double wavelength : wavelengths_nm) {
-        const auto found = std::find(picture.wavelengths_nm.begin(), picture.wavelengths_nm.end(), wavelength);
-        POL_EXPECTS(found != picture.wavelengths_nm.end());
-        const auto index = found - picture.wavelengths_nm.begin();
+        const auto found = std::find(there.begin(), there.end(), wavelength);
+        POL_EXPECTS(found != there.end());
+        const auto index = found - there.begin();
         const auto take = [&](const auto& planes, auto& target) {
             if (planes.size() <= picture.pixel_count()) return;  // absent, or shared by all wavelengths
             const auto plane = planes.begin() + index * pixels;
@@ -40,7 +41,8 @@ StokesImage at_wavelengths(const StokesImage& picture, const std::vector<double>
 
 StokesImage every_second_wavelength(const StokesImage& picture) {
     std::vector<double> some;
-    for (std::size_t w = 0; w < picture.wavelengths_nm.size(); w += 2) some.push_back(picture.wavelengths_nm[w]);
+    const std::vector<double> all = wavelengths_of(picture.bands);
+    for (std::size_t w = 0; w < all.size(); w += 2) some.push_back(all[w]);
     return at_wavelengths(picture, some);
 }
 

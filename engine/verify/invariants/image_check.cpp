@@ -54,11 +54,11 @@ std::vector<ImageDefect> find_defects(const StokesImage& image) {
     Counter not_finite("not a number or infinite");
     Counter negative("negative S0");
     Counter polarized(fmt::format("more polarized than {}-bit rounding allows", image.stored.bits));
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w)
+    for (std::size_t w = 0; w < image.bands.size(); ++w)
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
                 const Stokes<double>& s = image.at(w, image.pixel(x, y));
-                PixelValue at{image.left + x, image.top + y, image.wavelengths_nm[w], s.s0};
+                PixelValue at{image.left + x, image.top + y, w, s.s0};
                 const double length = polarized_part(s);
                 if (!is_finite(s)) {
                     const NamedPart part = first_not_finite(s);

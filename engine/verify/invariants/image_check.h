@@ -24,7 +24,7 @@ inline constexpr double half_excess = excess_of(0x1p-11);
 struct PixelValue {
     int x = 0;
     int y = 0;
-    double wavelength_nm = 0.0;
+    std::size_t band = 0;
     double value = 0.0;
 };
 

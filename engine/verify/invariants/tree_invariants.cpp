@@ -53,11 +53,11 @@ InvariantResult conserves_energy(const SceneUnderTest& test) {
 
 InvariantResult is_physical(const SceneUnderTest& test) {
     Tally tally;
-    for (std::size_t w = 0; w < test.image.wavelengths_nm.size(); ++w)
+    for (std::size_t w = 0; w < test.image.bands.size(); ++w)
         for (int y = 0; y < test.image.height; ++y)
             for (int x = 0; x < test.image.width; ++x) {
                 const Stokes<double>& s = test.image.at(w, test.image.pixel(x, y));
-                const WorstPixel at{x, y, test.image.wavelengths_nm[w]};
+                const WorstPixel at{x, y, *test.image.bands[w].wavelength_nm};
                 const double brightest = test.image.brightest[w];
                 const double length = polarized_part(s);
                 if (brightest == 0.0 || !std::isfinite(s.s0) || !std::isfinite(length)) {

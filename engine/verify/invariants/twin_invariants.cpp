@@ -30,32 +30,33 @@ constexpr double twin_rounding = 1e-10;
 /// A pixel differs for good where a path passes an edge by less than rounding: scenes put edges where pixel centres
 /// are.
 std::size_t allowed_flips(const StokesImage& image) {
-    return std::max<std::size_t>(2, image.pixel_count() / 100) * image.wavelengths_nm.size();
+    return std::max<std::size_t>(2, image.pixel_count() / 100) * image.bands.size();
 }
 constexpr const char* flips = "a pixel may differ where a path meets an edge exactly";
 
 /// Adds all pixels of two pictures; pixel (x, y) of `here` is compared with `there_of(x, y)`.
 template <class ThereOf>
 void compare(Tally& tally, const StokesImage& here, double tolerance, const ThereOf& there_of) {
-    for (std::size_t w = 0; w < here.wavelengths_nm.size(); ++w)
+    for (std::size_t w = 0; w < here.bands.size(); ++w)
         for (int y = 0; y < here.height; ++y)
             for (int x = 0; x < here.width; ++x) {
                 const Stokes<double> d = here.at(w, here.pixel(x, y)) - there_of(w, x, y);
                 const double scale = here.brightest[w] > 0.0 ? here.brightest[w] : 1.0;
-                tally.add((std::abs(d.s0) + polarized_part(d)) / (tolerance * scale), {x, y, here.wavelengths_nm[w]});
+                tally.add((std::abs(d.s0) + polarized_part(d)) / (tolerance * scale),
+                          {x, y, *here.bands[w].wavelength_nm});
             }
 }
 
 /// Adds all pixels of two pictures that must be the same to the last bit.
 void compare_bits(Tally& tally, const StokesImage& a, const StokesImage& b) {
-    for (std::size_t w = 0; w < a.wavelengths_nm.size(); ++w)
+    for (std::size_t w = 0; w < a.bands.size(); ++w)
         for (int y = 0; y < a.height; ++y)
             for (int x = 0; x < a.width; ++x) {
                 const std::size_t p = a.pixel(x, y);
                 const bool same = a.at(w, p) == b.at(w, p) &&
                                   a.plane_value(a.residual, w, p) == b.plane_value(b.residual, w, p) &&
                                   a.plane_value(a.tail, w, p) == b.plane_value(b.tail, w, p);
-                tally.add_exact(same, {x, y, a.wavelengths_nm[w]});
+                tally.add_exact(same, {x, y, *a.bands[w].wavelength_nm});
             }
 }
 
@@ -98,7 +99,7 @@ InvariantResult is_invisible_in_a_furnace(const SceneUnderTest& test) {
     const StokesImage& image = furnace.value().image;
     const double rounding = radiance * tree_rounding(furnace.value().statistics.most_nodes);
     Tally tally;
-    for (std::size_t w = 0; w < image.wavelengths_nm.size(); ++w)
+    for (std::size_t w = 0; w < image.bands.size(); ++w)
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
                 const std::size_t p = image.pixel(x, y);
@@ -108,7 +109,7 @@ InvariantResult is_invisible_in_a_furnace(const SceneUnderTest& test) {
                 // What was not traced is missing from S0; |s| is at most what is missing or estimated.
                 const double lost = std::abs(s.s0 - radiance * (1.0 - residual));
                 const double polarized = polarized_part(s) - radiance * (residual + 2.0 * tail);
-                tally.add(std::max(lost, polarized) / rounding, {x, y, image.wavelengths_nm[w]});
+                tally.add(std::max(lost, polarized) / rounding, {x, y, *image.bands[w].wavelength_nm});
             }
     return tally.result();
 }
@@ -194,10 +195,10 @@ InvariantResult has_true_error_bars(const SceneUnderTest& test) {
         if (!shallow) return twin_failed(shallow.error());
         const StokesImage& a = shallow.value().image;
         const StokesImage& b = deep.value().image;
-        for (std::size_t w = 0; w < a.wavelengths_nm.size(); ++w)
+        for (std::size_t w = 0; w < a.bands.size(); ++w)
             for (int y = 0; y < a.height; ++y)
                 for (int x = 0; x < a.width; ++x)
-                    tally.add_exact(!contradiction(a, b, w, a.pixel(x, y)), {x, y, a.wavelengths_nm[w]});
+                    tally.add_exact(!contradiction(a, b, w, a.pixel(x, y)), {x, y, *a.bands[w].wavelength_nm});
     }
     return tally.result();
 }

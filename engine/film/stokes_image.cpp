@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "film/stokes_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hypot.h"
+
+namespace pol {
+
+void read_in(StokesImage& image, const StokesConvention& convention) {
+    const StokesConvention before = image.origin.convention;
+    if (convention == before) return;
+    for (Stokes<double>& s : image.stokes) s = convention.to_ours(before.from_ours(s));
+    // Standard errors have no sign. Those of S1 and S2 mix where the frame turns: a bound if they are correlated.
+    const double turn = convention.azimuth_zero_deg - before.azimuth_zero_deg;
+    if (std::fmod(turn, 90.0) != 0.0) {
+        for (Stokes<double>& error : image.sampling_error) {
+            const double both = hypot(error.s1, error.s2);
+            error.s1 = both;
+            error.s2 = both;
+        }
+    }
+    image.origin.convention = convention;
+}
+
+}  // namespace pol
