@@ -75,7 +75,7 @@ Rgb two_sided(const Rgb& negative, const Rgb& positive, double t) {
 
 /// The azimuth runs from -90 degrees at t = 0 to 90 at t = 1.
 Rgb orientation(double t) {
-    const std::array<Rgb, 5> corners{green, yellow, red, blue, green};
+    const std::array<Rgb, 5> corners{red, blue, green, yellow, red};
     const double position = 4.0 * t;
     const auto corner = static_cast<std::size_t>(std::min(3.0, std::floor(position)));
     return mix(corners[corner], corners[corner + 1], position - static_cast<double>(corner));
@@ -100,9 +100,9 @@ Rgb scale_color(ColorScale scale, double t) {
         case ColorScale::wilkie_type:
             return mix(cyan, yellow, inside);
         case ColorScale::wilkie_s1:
-            return two_sided(green, red, inside);
+            return two_sided(red, green, inside);
         case ColorScale::wilkie_s2:
-            return two_sided(yellow, blue, inside);
+            return two_sided(blue, yellow, inside);
         case ColorScale::wilkie_chirality:
             return two_sided(yellow, blue, inside);
         case ColorScale::wilkie_orientation:

@@ -21,10 +21,10 @@ enum class ColorScale : std::uint8_t {
              ///< without red and green
     wilkie_degree,       ///< black to red (Wilkie & Weidlich 2010: degree of polarization)
     wilkie_type,         ///< cyan linear to yellow circular (type of polarization)
-    wilkie_s1,           ///< green, black, red (orientation, horizontal and vertical)
-    wilkie_s2,           ///< yellow, black, blue (orientation, diagonals)
+    wilkie_s1,           ///< red S1 < 0 (vertical), black, green S1 > 0, as polvis of Mitsuba 3 has them
+    wilkie_s2,           ///< blue S2 < 0, black, yellow S2 > 0, the same
     wilkie_chirality,    ///< yellow S3 < 0 (left), black, blue S3 > 0 (right)
-    wilkie_orientation,  ///< red 0, blue 45, green 90, yellow 135 degrees: s1 and s2 in one hue
+    wilkie_orientation,  ///< green 0, yellow 45, red 90, blue 135 degrees: s1 and s2 in one hue
 };
 
 /// Color at `t` in 0..1 from one end of the scale to the other; values outside are taken at the nearer end, which the

@@ -123,8 +123,8 @@ TEST(ColorScale, HasTheColorsOfWilkieAndWeidlichOnRequest) {
     EXPECT_EQ(encode(scale_color(ColorScale::wilkie_type, 1.0)), (Rgb8{255, 255, 0}));
     EXPECT_EQ(encode(scale_color(ColorScale::wilkie_chirality, 0.0)), (Rgb8{255, 255, 0}));
     EXPECT_EQ(encode(scale_color(ColorScale::wilkie_chirality, 1.0)), (Rgb8{0, 0, 255}));
-    EXPECT_EQ(encode(scale_color(ColorScale::wilkie_s1, 0.0)), (Rgb8{0, 255, 0}));
-    EXPECT_EQ(encode(scale_color(ColorScale::wilkie_s2, 1.0)), (Rgb8{0, 0, 255}));
+    EXPECT_EQ(encode(scale_color(ColorScale::wilkie_s1, 1.0)), (Rgb8{0, 255, 0}));
+    EXPECT_EQ(encode(scale_color(ColorScale::wilkie_s2, 0.0)), (Rgb8{0, 0, 255}));
     // Azimuth 0, the middle of -90 to 90, is s1 = 1; 45 degrees is s2 = 1.
     EXPECT_EQ(encode(scale_color(ColorScale::wilkie_orientation, 0.5)),
               encode(scale_color(ColorScale::wilkie_s1, 1.0)));

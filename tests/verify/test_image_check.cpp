@@ -147,5 +147,48 @@ TEST(ImageCheck, RemarksOnSuspiciousSigns) {
     EXPECT_TRUE(check_image(both).remarks.empty());
 }
 
+// A spectrum's R, G, B in linear sRGB: saturated green light has negative R. Luminance 0.7152 - 0.2126 * 0.2 > 0.
+TEST(ImageCheck, JudgesRgbBandsByTheirLuminance) {
+    StokesImage image = uniform({0.0, 0.0, 0.0, 0.0});
+    image.bands = {named_band("R"), named_band("G"), named_band("B")};
+    image.stokes.assign(3 * 256, {});
+    for (std::size_t pixel = 0; pixel < 256; ++pixel) {
+        image.stokes[pixel] = {-0.2, -0.1, 0.05, 0.0};
+        image.stokes[256 + pixel] = {1.0, 0.5, 0.2, 0.1};
+    }
+    EXPECT_TRUE(check_image(image).physical());
+    EXPECT_TRUE(has_remark(check_image(image), "luminance"));
+    image.stokes[256 + 7] = {1.0, 1.2, 0.0, 0.0};
+    const ImageReport report = check_image(image);
+    EXPECT_EQ(count(report, too_polarized), 1U);
+    EXPECT_EQ(report.defects[too_polarized].worst->x, 7);
+    image.stokes[256 + 7].s0 = -1.0;
+    EXPECT_EQ(count(check_image(image), negative), 1U);
+}
+
+TEST(ImageCheck, KnowsThatACameraOfLinearPolarizersHasNoS3) {
+    StokesImage image = uniform({1.0, 0.3, 0.4, 0.0});
+    image.bands[0].known = StokesComponents::linear();
+    const ImageReport report = check_image(image);
+    EXPECT_TRUE(report.physical());
+    EXPECT_TRUE(report.dop.is_linear);
+    EXPECT_DOUBLE_EQ(report.dop.median, 0.5);
+    EXPECT_TRUE(has_remark(report, "S3 was not measured"));
+    EXPECT_FALSE(has_remark(report, "S3 is exactly 0"));
+    // Too much even if S3 were 0.
+    image.stokes[9] = {1.0, 0.8, 0.8, 0.0};
+    EXPECT_EQ(count(check_image(image), too_polarized), 1U);
+}
+
+TEST(ImageCheck, KnowsThatAPhotographHasNoPolarization) {
+    StokesImage image = uniform({1.0, 0.0, 0.0, 0.0});
+    image.bands[0].known = StokesComponents::s0();
+    const ImageReport report = check_image(image);
+    EXPECT_TRUE(report.physical());
+    EXPECT_EQ(report.dop.lit, 256U);
+    EXPECT_EQ(report.dop.measured, 0U);
+    EXPECT_FALSE(has_remark(report, "was polarization traced"));
+}
+
 }  // namespace
 }  // namespace pol::verify

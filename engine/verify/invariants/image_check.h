@@ -32,14 +32,17 @@ struct PixelValue {
 struct ImageDefect {
     std::string name;                 ///< "not a number or infinite"
     std::string value_name;           ///< what PixelValue::value is: "S0"; empty if the count is 0
-    std::size_t count = 0;            ///< pixels times wavelengths that have it
+    std::size_t count = 0;            ///< pixels times bands that have it
     std::optional<PixelValue> worst;  ///< none if the count is 0
 };
 
-/// Degree of polarization over pixels and wavelengths with S0 > 0 whose numbers are finite.
+/// Degree of polarization over pixels and bands with S0 > 0 whose numbers are finite, where all components are known;
+/// of linear polarization if no band has S3.
 struct DopStatistics {
     std::size_t lit = 0;
-    std::size_t dark = 0;  ///< S0 = 0
+    std::size_t measured = 0;  ///< of them, those that have it
+    bool is_linear = false;    ///< of linear polarization
+    std::size_t dark = 0;      ///< S0 = 0
     double mean = 0.0;
     double least = 0.0;
     double percentile_1 = 0.0;
