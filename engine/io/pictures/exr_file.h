@@ -3,10 +3,11 @@
 // spectral images", JCGT 10(3), 2021, with what that layout leaves open (frame, azimuth zero, time sign, residual)
 // added beside it.
 //
-// Channels: `S0.580,000000nm` ... `S3.580,000000nm` (FLOAT), `residual` and `tail` (one plane, or one per wavelength as
-// `residual.580,000000nm`), `sampling_error.S0.580,000000nm` ... (FLOAT), `samples` and `failures` (UINT), `R G B`
-// (HALF, linear sRGB, for other viewers). String attributes: spectralLayoutVersion, emissiveUnits,
-// polarisationHandedness, and ours as `polariscope.NAME`.
+// Channels: `S0.580,000000nm` ... `S3.580,000000nm` (FLOAT; those that were measured), `residual` and `tail` (one
+// plane, or one per band as `residual.580,000000nm`), `sampling_error.S0.580,000000nm` ... (FLOAT), `samples` and
+// `failures` (UINT), `R G B` (HALF, linear sRGB, for other viewers). A band without a wavelength has its name there:
+// `S0.R`. String attributes: spectralLayoutVersion, emissiveUnits, polarisationHandedness, and ours as
+// `polariscope.NAME`, among them what bands there are and where the picture came from (exr_origin.h).
 #pragma once
 
 #include <filesystem>
@@ -18,23 +19,22 @@
 namespace pol {
 
 /// Writes `image` with PIZ compression; crash safe (io/files/output_file.h). The values are rounded to 32-bit floats,
-/// NaN and infinity are kept; the attributes frame, azimuthZero, timeSign and version are filled in if `image` does not
-/// set them. Requires: the plane sets of `image` have the sizes that StokesImage states. Error: kind output if the file
-/// cannot be written; kind usage if the picture has no pixel or no wavelength, or if two wavelengths get the same
-/// channel name (less than 1e-6 nm apart). `progress` hears from time to time which share of the lines is written.
+/// NaN and infinity are kept; components that were not measured are left out; the attributes frame, azimuthZero,
+/// timeSign and version are filled in if `image` does not set them. read_exr gives bands, origin, `stored` and place
+/// back. Requires: the plane sets of `image` have the sizes that StokesImage states. Error: kind output if the file
+/// cannot be written; kind usage if the picture has no pixel or no band, if nothing of a band was measured, or if two
+/// wavelengths get the same channel name (less than 1e-6 nm apart). `progress` hears from time to time which share of
+/// the lines is written.
 Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& path,
                        const std::function<void(double)>& progress = {});
 
-/// Largest picture that read_exr takes into memory, counted as the doubles of StokesImage.
-inline constexpr double max_exr_bytes = 16.0 * 1024.0 * 1024.0 * 1024.0;
-
-/// Reads any picture of that layout, ours or not: channels in any order, of any type and in any parts, wavelengths in
-/// any unit of the layout, left-handed files turned right-handed (S3 negated). The numbers are those of the file to the
-/// last bit, and StokesImage::stored says what they went through. A data window gives StokesImage::left and ::top.
-/// Other channels (R, G, B, reflectance T.*) are ignored; `attributes` has what the file says under `polariscope.`.
-/// Error (kind input): not an EXR file, truncated, too large; sound but not read, by name: no Stokes channels of
-/// wavelengths, S0 alone, S0 to S3 with different wavelengths, sampling other than 1 x 1, deep data, parts that do not
-/// fit together, a younger format.
+/// read_picture of a single EXR file, whatever lies beside it: any layout that README.md of this folder has, channels
+/// in any order, of any type and in any parts, wavelengths in any unit, left-handed files turned right-handed (S3
+/// negated). The numbers are those of the file to the last bit, and StokesImage::stored says what they went through.
+/// The data window gives StokesImage::left and ::top, the display window ::whole_width and ::whole_height where it is
+/// another. `attributes` has what the file says under `polariscope.`. Error (kind input): not an EXR file, truncated,
+/// too large; sound but not read, by name: channels of no layout, S0 to S3 with different wavelengths, sampling other
+/// than 1 x 1, deep data, parts that do not fit together, a younger format.
 Result<StokesImage> read_exr(const std::filesystem::path& path);
 
 }  // namespace pol

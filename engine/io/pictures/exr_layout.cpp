@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "core/result.h"
 #include "io/pictures/exr_channel.h"
+#include "io/pictures/exr_origin.h"
 #include "io/pictures/exr_parts.h"
 
 namespace pol::exr {
@@ -20,128 +20,124 @@ Error input_error(std::string what, std::string hint) {
     return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
 }
 
-/// By wavelength. Error: two names, such as S0.580nm and S0.0,58um, mean one.
-Result<Layer> layer_of(const std::vector<std::string>& names, const std::string& layer) {
-    Layer channels;
-    for (const std::string& name : names) {
-        if (!name.starts_with(layer + ".")) continue;
-        const std::optional<double> wavelength =
-            parse_wavelength_suffix(std::string_view(name).substr(layer.size() + 1));
-        if (!wavelength) continue;
-        const auto [found, is_new] = channels.emplace(*wavelength, name);
-        if (!is_new)
-            return input_error(fmt::format("channels {} and {} are of one wavelength", found->second, name),
-                               "keep one of them");
-    }
-    return channels;
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// "580,000000nm" of "S0.580,000000nm": what the other layers of a band of ours have behind their dots.
+std::string suffix_of(const BandChannels& band) {
+    for (const std::string& name : band.names)
+        if (const std::size_t dot = name.find('.'); dot != std::string::npos) return name.substr(dot + 1);
+    return {};
+}
+
+/// The channels LAYER.BAND of all bands, or of none, or LAYER alone.
 Result<std::vector<std::string>> share_channels(const std::vector<std::string>& names, const std::string& layer,
-                                                const Layer& stokes) {
-    if (std::find(names.begin(), names.end(), layer) != names.end()) return std::vector<std::string>{layer};
+                                                const std::vector<BandChannels>& bands) {
+    if (has(names, layer)) return std::vector<std::string>{layer};
     std::vector<std::string> channels;
-    POL_TRY(const auto found, layer_of(names, layer));
-    if (found.empty()) return channels;
-    for (const auto& [wavelength, name] : stokes) {
-        const auto channel = found.find(wavelength);
-        if (channel == found.end()) {
-            return input_error(fmt::format("channel {}.{} is missing", layer, wavelength_suffix(wavelength)),
-                               "render it again");
-        }
-        channels.push_back(channel->second);
+    std::vector<std::string> missing;
+    for (const BandChannels& band : bands) {
+        const std::string name = layer + "." + suffix_of(band);
+        (has(names, name) ? channels : missing).push_back(name);
     }
+    if (channels.empty() || missing.empty()) return channels;
+    return input_error(fmt::format("channel {} is missing", missing.front()), "render it again");
+}
+
+Result<std::vector<std::array<std::string, 4>>> error_channels(const std::vector<std::string>& names,
+                                                               const std::vector<BandChannels>& bands) {
+    std::vector<std::array<std::string, 4>> channels(bands.size());
+    std::optional<std::string> missing;
+    bool has_any = false;
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        for (std::size_t s = 0; s < stokes_layers.size(); ++s) {
+            if (bands[b].names[s].empty()) continue;
+            const std::string name =
+                fmt::format("{}.{}.{}", sampling_error_layer, stokes_layers[s].name, suffix_of(bands[b]));
+            const bool is_there = has(names, name);
+            if (is_there) channels[b][s] = name;
+            if (!is_there && !missing) missing = name;
+            has_any = has_any || is_there;
+        }
+    }
+    if (!has_any) return std::vector<std::array<std::string, 4>>();
+    if (missing) return input_error(fmt::format("channel {} is missing", *missing), "render it again");
     return channels;
 }
 
-/// The first few names, for a message.
-std::string some_of(const std::vector<std::string>& names) {
-    constexpr std::size_t shown = 12;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) {
-        if (i > 0) text += ", ";
-        text += names[i];
-    }
-    return names.size() > shown ? text + ", ..." : text;
+/// A part of a distributed render: sums, not a picture.
+std::optional<Error> part_problem(const Parts& parts) {
+    const std::string part = parts.text(part_attribute);
+    if (part.empty()) return std::nullopt;
+    const std::size_t slash = part.find('/');
+    if (slash == std::string::npos)
+        return input_error(fmt::format("this is part {} of a picture", part), "merge it with the others first");
+    return input_error(fmt::format("this is part {} of {}", part.substr(0, slash), part.substr(slash + 1)),
+                       "merge it with the others first");
 }
 
-/// "R, G, B" if there are S0.R to S3.B, "" if S0 to S3 stand alone.
-std::optional<std::string> bands_of(const std::vector<std::string>& names) {
-    const auto has_all = [&](const std::string& band) {
-        return std::all_of(stokes_layers.begin(), stokes_layers.end(), [&](const StokesLayer& layer) {
-            return std::find(names.begin(), names.end(), layer.name + band) != names.end();
-        });
+Result<StokesChannels> stokes_channels_of(const Parts& parts, const Wish& wish) {
+    const std::vector<std::string> names = parts.names();
+    if (wish.is_one_component) return find_component_channels(names);
+    if (wish.layout.empty() && !parts.text(bands_attribute).empty())
+        return own_channels(parts.text(bands_attribute), names);
+    POL_TRY(auto channels, find_stokes_channels(names, parts.text("generatedBy"), wish.layout));
+    const std::vector<double> exact = parse_numbers(parts.text(wavelengths_attribute));
+    const auto is_rounded = [](double wavelength, const BandChannels& channel) {
+        return channel.band.wavelength_nm &&
+               wavelength_suffix(wavelength) == wavelength_suffix(*channel.band.wavelength_nm);
     };
-    std::vector<std::string> bands;
-    const std::string first = stokes_layers[0].name;
-    for (const std::string& name : names)
-        if (name.starts_with(first + ".") && has_all(name.substr(first.size())))
-            bands.push_back(name.substr(first.size() + 1));
-    if (bands.empty() && !has_all("")) return std::nullopt;
-    return some_of(bands);
-}
-
-Error no_spectral_stokes(const std::vector<std::string>& names) {
-    const char* hint = "expected S0.580,000000nm to S3.580,000000nm (Fichet, Pacanowski & Wilkie 2021)";
-    const std::optional<std::string> bands = bands_of(names);
-    if (!bands) return input_error(fmt::format("no Stokes channels; found {}", some_of(names)), hint);
-    if (bands->empty()) return input_error("has S0 to S3 without a wavelength; such pictures are not read yet", hint);
-    return input_error(
-        fmt::format("has S0 to S3 in the bands {}, as Mitsuba writes them; such pictures are not read yet", *bands),
-        hint);
-}
-
-/// What keeps S0 to S3 from being a Stokes picture.
-std::optional<Error> stokes_problem(const std::array<Layer, 4>& stokes, const std::vector<std::string>& names) {
-    const auto is_empty = [](const Layer& layer) { return layer.empty(); };
-    if (std::all_of(stokes.begin(), stokes.end(), is_empty)) return no_spectral_stokes(names);
-    if (std::all_of(stokes.begin() + 1, stokes.end(), is_empty))
-        return input_error("has S0 alone: this picture has no polarization", "S1, S2 and S3 are needed beside it");
-    for (std::size_t s = 0; s < stokes.size(); ++s) {
-        for (const Layer& other : stokes) {
-            for (const auto& [wavelength, name] : other) {
-                if (stokes[s].contains(wavelength)) continue;
-                return input_error(fmt::format("{} has no channel for {}", stokes_layers[s].name, name),
-                                   "S0, S1, S2 and S3 must have the same wavelengths");
-            }
-        }
-    }
-    return std::nullopt;
+    if (std::equal(exact.begin(), exact.end(), channels.bands.begin(), channels.bands.end(), is_rounded))
+        for (std::size_t b = 0; b < exact.size(); ++b) channels.bands[b].band.wavelength_nm = exact[b];
+    return channels;
 }
 
 }  // namespace
 
-Result<Layout> layout_of(const Parts& parts) {
-    const std::vector<std::string> names = parts.names();
+std::vector<std::string> Layout::stokes_channels() const {
+    std::vector<std::string> channels;
+    for (std::size_t s = 0; s < stokes_layers.size(); ++s)
+        for (const BandChannels& band : stokes.bands)
+            if (!band.names[s].empty()) channels.push_back(band.names[s]);
+    return channels;
+}
+
+std::vector<std::string> Layout::channels() const {
+    std::vector<std::string> channels = stokes_channels();
+    for (const auto* list : {&residual, &tail, &counts}) channels.insert(channels.end(), list->begin(), list->end());
+    for (const auto& band : sampling_error)
+        for (const std::string& name : band)
+            if (!name.empty()) channels.push_back(name);
+    return channels;
+}
+
+Result<Layout> layout_of(const Parts& parts, const Wish& wish) {
+    if (const auto problem = part_problem(parts)) return *problem;
     Layout layout;
-    for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
-        POL_TRY(auto layer, layer_of(names, stokes_layers[s].name));
-        layout.stokes[s] = std::move(layer);
-    }
-    if (const auto problem = stokes_problem(layout.stokes, names)) return *problem;
-
-    POL_TRY(auto residual, share_channels(names, "residual", layout.stokes[0]));
-    layout.residual = residual;
-    POL_TRY(auto tail, share_channels(names, "tail", layout.stokes[0]));
-    layout.tail = tail;
-    for (std::size_t s = 0; s < layout.stokes.size(); ++s) {
-        const std::string layer = std::string(sampling_error_layer) + "." + stokes_layers[s].name;
-        POL_TRY(auto channels, share_channels(names, layer, layout.stokes[s]));
-        layout.sampling_error[s] = channels;
-        const std::size_t expected = layout.sampling_error[0].empty() ? 0 : layout.stokes[0].size();
-        if (layout.sampling_error[s].size() != expected)
-            return input_error(fmt::format("{} does not have the channels of {}", layer, stokes_layers[0].name),
-                               "render it again");
-    }
-    for (const char* count : {"samples", "failures"})
-        if (std::find(names.begin(), names.end(), count) != names.end()) layout.counts.emplace_back(count);
-
-    for (const std::string& handedness : parts.texts(handedness_attribute)) {
+    POL_TRY(layout.stokes, stokes_channels_of(parts, wish));
+    PictureOrigin& origin = layout.stokes.origin;
+    if (!parts.text(frame_attribute).empty()) std::erase(origin.assumed, assumed_axes);
+    const std::vector<std::string> handednesses = parts.texts(handedness_attribute);
+    for (const std::string& handedness : handednesses) {
         layout.left_handed = handedness == "left";
         if (handedness != "left" && handedness != "right")
             return input_error(fmt::format("polarisationHandedness is '{}'", handedness), "expected left or right");
     }
-    if (parts.texts(handedness_attribute).size() > 1)
+    if (handednesses.size() > 1)
         return input_error("polarisationHandedness is left in one part, right in another", "give all parts the same");
+    if (!handednesses.empty()) std::erase(origin.assumed, assumed_handedness);
+    origin.convention.left_handed = layout.left_handed;
+    POL_TRY_DONE(take_own_origin(parts, origin));
+
+    const bool may_be_ours = layout.stokes.bands.front().band.wavelength_nm || !parts.text(bands_attribute).empty();
+    if (!may_be_ours) return layout;  // "samples" of others is not what we mean by it
+    const std::vector<std::string> names = parts.names();
+    POL_TRY(layout.residual, share_channels(names, "residual", layout.stokes.bands));
+    POL_TRY(layout.tail, share_channels(names, "tail", layout.stokes.bands));
+    POL_TRY(layout.sampling_error, error_channels(names, layout.stokes.bands));
+    for (const char* count : {"samples", "failures"})
+        if (has(names, count)) layout.counts.emplace_back(count);
     return layout;
 }
 

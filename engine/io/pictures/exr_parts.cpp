@@ -7,6 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
 
 namespace pol::exr {
 namespace {
@@ -19,11 +23,21 @@ std::string window_text(const Imath::Box2i& window) {
     return fmt::format("({}, {}) to ({}, {})", window.min.x, window.min.y, window.max.x, window.max.y);
 }
 
-/// PXR24 drops the last 8 bits of floats, B44 and B44A pack halves; neither touches the other types. The DWA kinds are
-/// lossy only for channels whose last word is R, G, B, Y, RY or BY, never a wavelength.
-StoredNumbers stored_as(Imf::PixelType type, Imf::Compression compression) {
+/// The DWA kinds make halves of these channels and pack them; they keep all others. ImfDwaCompressor.cpp,
+/// "_channelRules".
+bool is_packed_by_dwa(const std::string& name) {
+    constexpr std::array<std::string_view, 6> packed{"R", "G", "B", "Y", "RY", "BY"};
+    const std::size_t dot = name.rfind('.');
+    const std::string_view last = std::string_view(name).substr(dot == std::string::npos ? 0 : dot + 1);
+    return std::find(packed.begin(), packed.end(), last) != packed.end();
+}
+
+/// PXR24 drops the last 8 bits of floats, B44 and B44A pack halves; neither touches the other types.
+StoredNumbers stored_as(const std::string& name, Imf::PixelType type, Imf::Compression compression) {
+    if (type == Imf::UINT) return {};
+    const bool is_dwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+    if (is_dwa && is_packed_by_dwa(name)) return {16, compression == Imf::DWAA_COMPRESSION ? "DWAA" : "DWAB"};
     if (type == Imf::FLOAT) return {compression == Imf::PXR24_COMPRESSION ? 24 : 32, {}};
-    if (type != Imf::HALF) return {};
     if (compression == Imf::B44_COMPRESSION) return {16, "B44"};
     if (compression == Imf::B44A_COMPRESSION) return {16, "B44A"};
     return {16, {}};
@@ -95,7 +109,7 @@ StoredNumbers Parts::stored(const std::vector<std::string>& channels) const {
     StoredNumbers coarsest;
     for (const std::string& name : channels) {
         const Found& found = channels_.at(name);
-        StoredNumbers stored = stored_as(found.channel.type, header(found.parts.front()).compression());
+        StoredNumbers stored = stored_as(name, found.channel.type, header(found.parts.front()).compression());
         coarsest.bits = std::min(coarsest.bits, stored.bits);
         if (coarsest.lossy.empty()) coarsest.lossy = std::move(stored.lossy);
     }

@@ -23,9 +23,9 @@
 #include "core/contract.h"
 #include "core/result.h"
 #include "io/files/output_file.h"
-#include "io/pictures/exr_channel.h"
 #include "io/pictures/exr_file.h"
 #include "io/pictures/exr_layout.h"
+#include "io/pictures/exr_origin.h"
 #include "maps/color_picture.h"
 
 namespace pol {
@@ -35,10 +35,6 @@ namespace {
 /// infinite and what lies below it zero, as IEEE 754 rounds.
 float to_file_number(double value) {
     return static_cast<float>(value);
-}
-
-std::string band_suffix(const Band& band) {
-    return band.wavelength_nm ? wavelength_suffix(*band.wavelength_nm) : band.name;
 }
 
 /// OpenEXR's view of an OutputFile.
@@ -81,24 +77,27 @@ void add_share_channels(std::vector<FloatChannel>& channels, const StokesImage& 
         channels.push_back({layer, Imf::FLOAT, [&planes](std::size_t pixel) { return planes[pixel]; }});
         return;
     }
-    for (std::size_t w = 0; w < image.bands.size(); ++w) {
-        const std::size_t offset = w * image.pixel_count();
-        channels.push_back({fmt::format("{}.{}", layer, band_suffix(image.bands[w])), Imf::FLOAT,
+    const std::vector<std::string> suffixes = exr::band_suffixes(image.bands);
+    for (std::size_t b = 0; b < suffixes.size(); ++b) {
+        const std::size_t offset = b * image.pixel_count();
+        channels.push_back({fmt::format("{}.{}", layer, suffixes[b]), Imf::FLOAT,
                             [&planes, offset](std::size_t pixel) { return planes[offset + pixel]; }});
     }
 }
 
-/// One channel for each component and wavelength of `planes`, which may be empty.
+/// One channel for each measured component and band of `planes`, which may be empty.
 void add_stokes_channels(std::vector<FloatChannel>& channels, const StokesImage& image,
                          const std::vector<Stokes<double>>& planes, const std::string& prefix) {
     if (planes.empty()) return;
     POL_EXPECTS(planes.size() == image.stokes.size());
-    for (std::size_t w = 0; w < image.bands.size(); ++w) {
-        const std::string suffix = band_suffix(image.bands[w]);
-        const std::size_t offset = w * image.pixel_count();
-        for (const exr::StokesLayer& layer : exr::stokes_layers) {
+    const std::vector<std::string> suffixes = exr::band_suffixes(image.bands);
+    for (std::size_t b = 0; b < suffixes.size(); ++b) {
+        const std::size_t offset = b * image.pixel_count();
+        for (unsigned s = 0; s < exr::stokes_layers.size(); ++s) {
+            if (!image.bands[b].known.has(s)) continue;
+            const exr::StokesLayer& layer = exr::stokes_layers[s];
             channels.push_back(
-                {fmt::format("{}{}.{}", prefix, layer.name, suffix), Imf::FLOAT,
+                {fmt::format("{}{}.{}", prefix, layer.name, suffixes[b]), Imf::FLOAT,
                  [&planes, offset, layer](std::size_t pixel) { return planes[offset + pixel].*layer.component; }});
         }
     }
@@ -123,20 +122,12 @@ Channels channels_of(const StokesImage& image, const std::vector<Rgb>& preview) 
     return channels;
 }
 
-/// Shortest text that gives each number back to the bit.
-std::string number_list(const std::vector<double>& numbers) {
-    std::string text;
-    for (const double number : numbers) {
-        if (!text.empty()) text += ", ";
-        text += fmt::to_string(number);
-    }
-    return text;
-}
-
 Imf::Header header_of(const StokesImage& image, const Channels& channels) {
     const Imath::V2i corner(image.left, image.top);
     const Imath::V2i last = corner + Imath::V2i(image.width - 1, image.height - 1);
-    Imf::Header header(Imath::Box2i({0, 0}, {std::max(last.x, 0), std::max(last.y, 0)}), Imath::Box2i(corner, last));
+    const Imath::V2i whole(image.whole_width > 0 ? image.whole_width - 1 : std::max(last.x, 0),
+                           image.whole_height > 0 ? image.whole_height - 1 : std::max(last.y, 0));
+    Imf::Header header(Imath::Box2i({0, 0}, whole), Imath::Box2i(corner, last));
     header.compression() = Imf::PIZ_COMPRESSION;
     const auto set = [&header](const std::string& name, const std::string& text) {
         header.insert(name, Imf::StringAttribute(text));
@@ -145,14 +136,16 @@ Imf::Header header_of(const StokesImage& image, const Channels& channels) {
     set("emissiveUnits", "W.m^-2.sr^-1");
     set(exr::handedness_attribute, "right");
     const std::string prefix = exr::attribute_prefix;
-    set(prefix + "frame",
+    set(exr::frame_attribute,
         "camera: x = image right, y = image up, k = towards the camera, transverse to the pixel's ray");
     set(prefix + "azimuthZero", "x axis (image right), counter-clockwise as seen by the camera");
     set(prefix + "timeSign", "exp(-i omega t)");
     set(prefix + "version", POL_VERSION);
     for (const auto& [name, text] : image.attributes) set(prefix + name, text);
-    set(exr::wavelengths_attribute, number_list(wavelengths_of(image.bands)));
-    if (!image.brightest.empty()) set(exr::brightest_attribute, number_list(image.brightest));
+    for (const auto& [name, text] : exr::own_attributes(image)) set(name, text);
+    const std::vector<double> wavelengths = wavelengths_of(image.bands);
+    if (!wavelengths.empty()) set(exr::wavelengths_attribute, exr::number_list(wavelengths));
+    if (!image.brightest.empty()) set(exr::brightest_attribute, exr::number_list(image.brightest));
 
     for (const FloatChannel& channel : channels.numbers)
         header.channels().insert(channel.name, Imf::Channel(channel.file_type));
@@ -207,13 +200,14 @@ void write_pixels(Imf::OutputFile& file, const StokesImage& image, const Channel
 std::optional<Error> first_problem(const StokesImage& image) {
     const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
     if (image.width <= 0 || image.height <= 0) return usage("a picture without pixels cannot be written");
-    if (image.bands.empty()) return usage("a picture without wavelengths cannot be written");
-    for (std::size_t w = 1; w < image.bands.size(); ++w) {
-        const std::string name = band_suffix(image.bands[w]);
-        if (name == band_suffix(image.bands[w - 1])) {
-            return usage(fmt::format("two wavelengths have the same channel name {}", name));
-        }
-    }
+    if (image.bands.empty()) return usage("a picture without bands cannot be written");
+    std::vector<std::string> names = exr::band_suffixes(image.bands);
+    std::sort(names.begin(), names.end());
+    const auto twin = std::adjacent_find(names.begin(), names.end());
+    if (twin != names.end()) return usage(fmt::format("two wavelengths have the same channel name {}", *twin));
+    for (const Band& band : image.bands)
+        if (band.known == StokesComponents::s0().without(0))
+            return usage(fmt::format("band {} has no component that was measured", band.label()));
     return std::nullopt;
 }
 
