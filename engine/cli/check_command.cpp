@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "cli/messages.h"
+#include "cli/picture_options.h"
 #include "core/nearest_word.h"
-#include "io/pictures/exr_file.h"
 #include "io/scenes/scene_file.h"
 #include "verify/invariants/image_check.h"
 #include "verify/invariants/invariants.h"
@@ -34,7 +34,8 @@ using verify::Outcome;
 constexpr int self_check_failed = 5;
 
 struct FileRequest {
-    std::string file;
+    PictureOptions picture;
+    std::string file;  ///< the first of them, or that of S0
     int size = 16;
     bool json = false;
 };
@@ -45,12 +46,23 @@ void print(const ordered_json& report) {
 
 // Pictures.
 
+void print_origin(const StokesImage& image) {
+    const PictureOrigin& origin = image.origin;
+    if (!origin.layout.empty()) fmt::print("read as: {}\n", printable(origin.layout));
+    if (origin.convention != StokesConvention{}) fmt::print("taken for: {}\n", origin.convention.text());
+    for (const std::string& sentence : origin.assumed) fmt::print("assumed: {}\n", printable(sentence));
+    for (const std::string& sentence : origin.remarks) fmt::print("remark: {}\n", printable(sentence));
+}
+
 void print_text(const std::string& file, const StokesImage& image, const ImageReport& report) {
     const std::size_t planes = image.bands.size();
     const bool is_crop = image.left != 0 || image.top != 0;
-    fmt::print("{}: {}x{} pixels{}, {} {}\n\n", file, image.width, image.height,
-               is_crop ? fmt::format(" from pixel {},{} of the picture on", image.left, image.top) : "", planes,
-               planes == 1 ? "wavelength" : "wavelengths");
+    const std::string kind = wavelengths_of(image.bands).empty() ? "band" : "wavelength";
+    fmt::print("{}: {}x{} pixels{}, {} {}{}\n", file, image.width, image.height,
+               is_crop ? fmt::format(" from pixel {},{} of the picture on", image.left, image.top) : "", planes, kind,
+               planes == 1 ? "" : "s");
+    print_origin(image);
+    fmt::print("\n");
     for (const ImageDefect& defect : report.defects) {
         fmt::print("{:<46}{:>10}  {}", defect.name, defect.count, defect.count == 0 ? "pass" : "FAIL");
         if (defect.worst)
@@ -60,12 +72,13 @@ void print_text(const std::string& file, const StokesImage& image, const ImageRe
     }
     const verify::DopStatistics& dop = report.dop;
     fmt::print("\n{} values with light, {} dark\n", dop.lit, dop.dark);
-    if (dop.lit > 0)
+    if (dop.measured > 0)
         fmt::print(
-            "degree of polarization: least {:.6g}, 1 % below {:.6g}, median {:.6g}, 99 % below {:.6g}, most {:.6g}; "
+            "degree of {}polarization: least {:.6g}, 1 % below {:.6g}, median {:.6g}, 99 % below {:.6g}, most {:.6g}; "
             "mean "
             "{:.6g}\n",
-            dop.least, dop.percentile_1, dop.median, dop.percentile_99, dop.most, dop.mean);
+            dop.is_linear ? "linear " : "", dop.least, dop.percentile_1, dop.median, dop.percentile_99, dop.most,
+            dop.mean);
     for (const std::string& remark : report.remarks) fmt::print("note: {}\n", remark);
 }
 
@@ -83,6 +96,10 @@ ordered_json as_json(const std::string& file, const StokesImage& image, const Im
                      {"bits", image.stored.bits},
                      {"lossy_compression", image.stored.lossy},
                      {"bands", band_names(image)},
+                     {"layout", image.origin.layout},
+                     {"convention", image.origin.convention.text()},
+                     {"assumed", image.origin.assumed},
+                     {"read_remarks", image.origin.remarks},
                      {"physical", report.physical()}};
     for (const ImageDefect& defect : report.defects) {
         ordered_json entry{{"name", defect.name}, {"count", defect.count}};
@@ -94,16 +111,17 @@ ordered_json as_json(const std::string& file, const StokesImage& image, const Im
         out["defects"].push_back(entry);
     }
     const verify::DopStatistics& dop = report.dop;
-    out["dop"] = {{"lit", dop.lit},       {"dark", dop.dark},
-                  {"least", dop.least},   {"percentile_1", dop.percentile_1},
-                  {"median", dop.median}, {"percentile_99", dop.percentile_99},
-                  {"most", dop.most},     {"mean", dop.mean}};
+    out["dop"] = {{"lit", dop.lit},           {"dark", dop.dark},
+                  {"measured", dop.measured}, {"of", dop.is_linear ? "linear polarization" : "polarization"},
+                  {"least", dop.least},       {"percentile_1", dop.percentile_1},
+                  {"median", dop.median},     {"percentile_99", dop.percentile_99},
+                  {"most", dop.most},         {"mean", dop.mean}};
     out["remarks"] = report.remarks;
     return out;
 }
 
 int check_picture(const FileRequest& request) {
-    const Result<StokesImage> image = read_exr(request.file);
+    const Result<StokesImage> image = request.picture.read();
     if (!image) return report(image.error());
     const ImageReport found = verify::check_image(image.value());
     if (request.json)
@@ -189,7 +207,7 @@ int report_missing(const ProgramCommand& command, const std::string& word) {
 }
 
 int run(const ProgramCommand& command, const FileRequest& request) {
-    if (request.file.empty())
+    if (request.file.empty() && !request.picture.given())
         return report({ErrorKind::usage,
                        "nothing to check",
                        {},
@@ -202,9 +220,10 @@ int run(const ProgramCommand& command, const FileRequest& request) {
                        {},
                        "--size",
                        fmt::format("1 to {} pixels a side", largest)});
+    if (request.picture.given()) return check_picture(request);
     std::error_code status;
     if (!fs::exists(request.file, status)) return report_missing(command, request.file);
-    return fs::path(request.file).extension() == ".exr" ? check_picture(request) : check_scene(request);
+    return is_picture_name(request.file) ? check_picture(request) : check_scene(request);
 }
 
 }  // namespace
@@ -215,9 +234,10 @@ void add_check_command(ProgramCommand app, int& exit_code) {
         app.add_subcommand("check", "Prove the physics of this program, of a scene, or of a picture");
     command.may_have_subcommand();
     command
-        .add_option("FILE", request->file,
-                    "Scene: invariants that hold whatever is in it. Stokes picture (.exr): whether it is light")
-        .type_name("NAME.yaml|NAME.exr");
+        .add_option("FILE", request->picture.files,
+                    "Scene: invariants that hold whatever is in it. Stokes picture of any program: whether it is light")
+        .type_name("NAME.yaml|PICTURE");
+    add_picture_options(command, request->picture);
     command.add_option("--size", request->size, "Scene: pixels along the sides of the picture").capture_default_str();
     command.add_flag("--json", request->json, "Print JSON");
     command.footer(
@@ -227,9 +247,17 @@ void add_check_command(ProgramCommand app, int& exit_code) {
         "  polariscope check facts T9 T11\n"
         "  polariscope check stiff\n"
         "  polariscope check assets/scenes/cube-calcite.yaml --size 32\n"
-        "  polariscope check stone.exr --json");
+        "  polariscope check stone.exr --json\n"
+        "  polariscope check mitsuba.exr\n"
+        "  polariscope check --angles 0,60,120 a.png b.png c.png\n");
     command.callback([command, request, &exit_code] {
-        if (!command.has_chosen_subcommand()) exit_code = run(command, *request);
+        if (command.has_chosen_subcommand()) return;
+        const auto source = request->picture.source();
+        if (!request->picture.files.empty())
+            request->file = request->picture.files.front();
+        else if (source)
+            request->file = source.value().path().string();
+        exit_code = source || !request->picture.given() ? run(command, *request) : report(source.error());
     });
     add_check_facts_command(command, exit_code);
     add_check_stiff_command(command, exit_code);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/panels/view_controls.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <array>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "viewer/pages/readout_text.h"
 #include "viewer/session/map_look.h"
 #include "viewer/shown/glyphs.h"
 #include "viewer/widgets/ink.h"
