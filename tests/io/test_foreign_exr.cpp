@@ -353,21 +353,5 @@ TEST_F(ForeignExr, SaysHowCoarselyItsNumbersAreStored) {
     }
 }
 
-TEST_F(ForeignExr, WithoutPolarizationIsCalledThat) {
-    write_foreign(path(), {"S0.580,0nm", "S0.600,0nm"}, nullptr, Imf::FLOAT);
-    EXPECT_EQ(refusal(path()), "has S0 alone: this picture has no polarization");
-}
-
-TEST_F(ForeignExr, OfBandsInPlaceOfWavelengthsNamesThem) {
-    std::vector<std::string> bands{"A", "B", "G", "R"};
-    for (const char* band : {".R", ".G", ".B"})
-        for (const char* s : {"S0", "S1", "S2", "S3"}) bands.push_back(std::string(s) + band);
-    write_foreign(path(), bands, nullptr, Imf::FLOAT);
-    EXPECT_EQ(refusal(path()),
-              "has S0 to S3 in the bands B, G, R, as Mitsuba writes them; such pictures are not read yet");
-    write_foreign(path(), {"S0", "S1", "S2", "S3"}, nullptr, Imf::FLOAT);
-    EXPECT_EQ(refusal(path()), "has S0 to S3 without a wavelength; such pictures are not read yet");
-}
-
 }  // namespace
 }  // namespace pol

@@ -23,8 +23,8 @@ std::string window_text(const Imath::Box2i& window) {
     return fmt::format("({}, {}) to ({}, {})", window.min.x, window.min.y, window.max.x, window.max.y);
 }
 
-/// The DWA kinds make halves of these channels and pack them; they keep all others. ImfDwaCompressor.cpp,
-/// "_channelRules".
+/// The DWA kinds make halves of these channels and pack them; they keep all others (OpenEXR 3.1, rules of channels of
+/// its DWA compressor).
 bool is_packed_by_dwa(const std::string& name) {
     constexpr std::array<std::string_view, 6> packed{"R", "G", "B", "Y", "RY", "BY"};
     const std::size_t dot = name.rfind('.');
