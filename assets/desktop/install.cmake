@@ -93,7 +93,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpolariscope-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "polariscope (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), \
-libcairo2-dev, libembree-dev, libfmt-dev, libhwy-dev, libopenexr-dev, libpng-dev, libtinygltf-dev, libxxhash-dev, libyaml-cpp-dev, pkg-config")
+libcairo2-dev, libembree-dev, libfmt-dev, libhwy-dev, libopenexr-dev, libpng-dev, libtinygltf-dev, libxxhash-dev, libyaml-cpp-dev, pkg-config, zlib1g-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "library of polariscope, a tracer of polarized light
 Headers, static library and CMake package: load a scene, trace a ray, render,
 explain a pixel, read and write Stokes images.")

@@ -68,6 +68,16 @@ double srgb_decode(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+std::vector<double> decoding_table(std::size_t most, double gamma) {
+    const bool is_srgb = gamma == 0.0 || std::abs(gamma - 0.45455) < 0.001;
+    std::vector<double> table;
+    for (std::size_t code = 0; code <= most; ++code) {
+        const double encoded = static_cast<double>(code) / static_cast<double>(most);
+        table.push_back(is_srgb ? srgb_decode(encoded) : std::pow(encoded, 1.0 / gamma));
+    }
+    return table;
+}
+
 std::vector<double> trapezoid_weights(std::span<const double> wavelengths_nm) {
     const std::size_t count = wavelengths_nm.size();
     if (count == 1) return {1.0};

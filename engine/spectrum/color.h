@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,9 @@ Rgb to_linear_srgb(const Xyz& xyz);
 /// The sRGB transfer curve and its inverse. Negative numbers take the straight part; nothing is cut.
 double srgb_encode(double linear);
 double srgb_decode(double encoded);
+/// Linear value of every code from 0 to `most` of a PNG file, by its gAMA of `gamma`, or by the sRGB curve if that is 0
+/// or as good as 1/2.2, which is how writers say "sRGB, roughly".
+std::vector<double> decoding_table(std::size_t most, double gamma);
 
 /// Trapezoid rule on an ascending list, in nm: the integral of f is the sum of weight * f. A single wavelength has
 /// weight 1.

@@ -28,6 +28,7 @@ LIBRARIES = {
     "xxhash.h": "xxhash",
     "yaml-cpp/": "yaml-cpp",
     "png.h": "png",
+    "zlib.h": "zlib",
     "tiny_gltf": "tinygltf",
     "cairo": "cairo",
     "nlohmann/": "json",

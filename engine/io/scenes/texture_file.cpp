@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scenes/texture_file.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,26 +17,13 @@ namespace {
 constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 30u;
 constexpr std::uint64_t max_pixels = std::uint64_t{64} << 20u;
 
-/// Linear value of every sample code.
-std::vector<double> decoding_table(std::size_t bytes_per_sample, double gamma) {
-    const std::size_t codes = bytes_per_sample == 2 ? 65536 : 256;
-    // 0.45455 is how writers say "sRGB, roughly".
-    const bool is_srgb = gamma == 0.0 || std::abs(gamma - 0.45455) < 0.001;
-    std::vector<double> table;
-    for (std::size_t code = 0; code < codes; ++code) {
-        const double encoded = static_cast<double>(code) / static_cast<double>(codes - 1);
-        table.push_back(is_srgb ? srgb_decode(encoded) : std::pow(encoded, 1.0 / gamma));
-    }
-    return table;
-}
-
 /// The stored precision of textures.
 float to_texel(double value) {
     return static_cast<float>(value);
 }
 
 std::vector<float> decode(const PngReader& png, const std::vector<std::uint8_t>& pixels) {
-    const std::vector<double> linear = decoding_table(png.bytes_per_sample, png.gamma);
+    const std::vector<double> linear = decoding_table(png.bytes_per_sample == 2 ? 65535 : 255, png.gamma);
     const double opaque = static_cast<double>(linear.size() - 1);
     std::vector<float> rgb;
     rgb.reserve(std::size_t{3} * png.width * png.height);
