@@ -277,8 +277,7 @@ std::string_view name_of(FrameChange change) {
 ConventionFits fit_conventions(const StokesPlane& a, const StokesPlane& b, std::optional<double> pixel_tangent) {
     constexpr double nearly_best = 0.02;
     ConventionFits result;
-    for (unsigned i = 1; i < 4; ++i)
-        if (a.known.has(i) && b.known.has(i)) result.judged = result.judged.with(i);
+    result.judged = (a.known & b.known).without(0);
 
     std::vector<std::pair<Geometry, LightFit>> lights;
     LightFit best;

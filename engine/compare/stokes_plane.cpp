@@ -60,9 +60,7 @@ public:
 
     [[nodiscard]] StokesComponents known() const {
         StokesComponents known = StokesComponents::all();
-        for (const Term& term : bands_)
-            for (unsigned i = 0; i < 4; ++i)
-                if (!image_.bands[term.band].known.has(i)) known = known.without(i);
+        for (const Term& term : bands_) known = known & image_.bands[term.band].known;
         return known;
     }
 

@@ -34,6 +34,9 @@ public:
     }
     /// Bit i is component i.
     [[nodiscard]] constexpr unsigned bits() const { return bits_; }
+    friend constexpr StokesComponents operator&(StokesComponents a, StokesComponents b) {
+        return StokesComponents(a.bits_ & b.bits_);
+    }
     friend constexpr bool operator==(StokesComponents, StokesComponents) = default;
 
 private:

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "compare/error_metrics.h"
 #include "support/render_scene.h"
 #include "verify/convergence/anytime.h"
-#include "verify/convergence/error_metrics.h"
 
 namespace pol::verify {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/error_metrics.h"
 #include "core/number_text.h"
 #include "render/renderer.h"
-#include "verify/convergence/error_metrics.h"
 
 namespace pol::verify {
 

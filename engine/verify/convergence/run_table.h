@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/error_metrics.h"
 #include "core/result.h"
-#include "verify/convergence/error_metrics.h"
 
 namespace pol::verify {
 

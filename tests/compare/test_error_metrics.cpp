@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/error_metrics.h"
 #include "core/units.h"
 #include "film/picture_error.h"
 #include "polarization/coherence_matrix.h"
-#include "verify/convergence/error_metrics.h"
 #include "verify/convergence/picture_parts.h"
 
-namespace pol::verify {
+namespace pol {
 namespace {
 
 StokesImage picture_of(std::vector<Stokes<double>> pixels) {
@@ -33,6 +33,20 @@ TEST(ErrorMetrics, APictureHasNoDistanceFromItself) {
     for (const NamedMetric& named : named_metrics) {
         EXPECT_EQ((metrics.*named.metric).whole, 0.0) << named.name;
         EXPECT_EQ((metrics.*named.metric).largest, 0.0) << named.name;
+    }
+}
+
+TEST(ErrorMetrics, AMetricOfWhatWasNotMeasuredIsNotThere) {
+    const StokesImage ours = picture_of({{1.0, 0.3, -0.2, 0.1}, {0.5, -0.1, 0.4, 0.2}});
+    StokesImage photographed = ours;
+    for (Stokes<double>& s : photographed.stokes) s.s3 = 0.0;
+    photographed.bands[0].known = StokesComponents::linear();
+    for (const ErrorMetrics& metrics : {error_metrics(photographed, ours), error_metrics(ours, photographed)}) {
+        for (const NamedMetric& named : named_metrics) {
+            const bool is_there = named.name == "rel_rmse_s0" || named.name == "mrse_s0" || named.name == "azimuth_w";
+            EXPECT_EQ((metrics.*named.metric).is_measured(), is_there) << named.name;
+        }
+        EXPECT_EQ(metrics.azimuth_w.whole, 0.0);
     }
 }
 
@@ -198,7 +212,7 @@ TEST(ColorDifference, ANestedSetOfWavelengthsKeepsItsEndsAndShiftsTheColor) {
         flat.bands.push_back({w, {}});
         flat.stokes.push_back({1.0, 0.0, 0.0, 0.0});
     }
-    const StokesImage half = every_second_wavelength(flat);
+    const StokesImage half = verify::every_second_wavelength(flat);
     EXPECT_EQ(half.bands.size(), 11U);
     EXPECT_EQ(*half.bands.back().wavelength_nm, 780.0);
     EXPECT_EQ(color_difference(flat, flat), 0.0);
@@ -206,4 +220,4 @@ TEST(ColorDifference, ANestedSetOfWavelengthsKeepsItsEndsAndShiftsTheColor) {
 }
 
 }  // namespace
-}  // namespace pol::verify
+}  // namespace pol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verify/convergence/error_metrics.h"
+#include "compare/error_metrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,18 @@
 #include "polarization/coherence_matrix.h"
 #include "polarization/measures.h"
 
-namespace pol::verify {
+namespace pol {
 
 namespace {
 
 bool is_finite(const Stokes<double>& s) {
     return std::isfinite(s.s0) && std::isfinite(s.s1) && std::isfinite(s.s2) && std::isfinite(s.s3);
+}
+
+StokesComponents known_in_all(const StokesImage& image) {
+    StokesComponents known = StokesComponents::all();
+    for (const Band& band : image.bands) known = known & band.known;
+    return known;
 }
 
 /// sqrt(weighted mean of squares) and the distribution of the per-pixel values.
@@ -134,6 +140,11 @@ ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference
     result.azimuth_w = azimuth.metric(azimuth.root_mean(), 1.0);
     result.ellip_w = ellipticity.metric(ellipticity.root_mean(), 1.0);
     result.poincare_w = poincare.metric(poincare.root_mean(), 1.0);
+
+    const StokesComponents known = known_in_all(test) & known_in_all(reference);
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const NamedMetric& named : named_metrics)
+        if (!known.has(named.needs)) result.*named.metric = Metric{unknown, unknown, unknown};
     return result;
 }
 
@@ -233,4 +244,4 @@ double color_difference(const StokesImage& test, const StokesImage& reference) {
     return size > 0.0 ? std::sqrt(difference / size) : 0.0;
 }
 
-}  // namespace pol::verify
+}  // namespace pol

@@ -3,24 +3,28 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <vector>
 
 #include "film/stokes_image.h"
 
-namespace pol::verify {
+namespace pol {
 
 /// One way to measure an error: over the whole picture, and per pixel at the 99th percentile and at worst.
 struct Metric {
     double whole = 0.0;
     double p99 = 0.0;
     double largest = 0.0;
+
+    [[nodiscard]] bool is_measured() const { return !std::isnan(whole); }
 };
 
 /// Test picture minus reference over all wavelengths and all pixels. dC is the difference of coherence matrices, s the
 /// polarized part (S1, S2, S3), p the degree of polarization, l the linear part, all of the reference where they are
-/// weights.
+/// weights. A metric that needs a component which a band of either picture does not know is not there: NaN
+/// (is_measured).
 struct ErrorMetrics {
     /// sqrt(mean |dC|_F^2) / sqrt(mean |C|_F^2), |C|_F^2 = (S0^2 + |s|^2)/2: independent of the transverse basis. The
     /// primary metric. Infinite if the reference is black and the test is not, or if no
@@ -55,17 +59,19 @@ struct NamedMetric {
     std::string_view name;
     Metric ErrorMetrics::*metric;
     std::string_view unit;  ///< empty: a pure number
+    StokesComponents needs = StokesComponents::all();
 };
-inline constexpr std::array<NamedMetric, 8> named_metrics{{{"fro_c", &ErrorMetrics::fro_c, ""},
-                                                           {"rel_rmse_s0", &ErrorMetrics::rel_rmse_s0, ""},
-                                                           {"mrse_s0", &ErrorMetrics::mrse_s0, ""},
-                                                           {"analyzer_inf", &ErrorMetrics::analyzer_inf, "S0"},
-                                                           {"dop_w", &ErrorMetrics::dop_w, ""},
-                                                           {"azimuth_w", &ErrorMetrics::azimuth_w, "rad"},
-                                                           {"ellip_w", &ErrorMetrics::ellip_w, "rad"},
-                                                           {"poincare_w", &ErrorMetrics::poincare_w, "rad"}}};
+inline constexpr std::array<NamedMetric, 8> named_metrics{
+    {{"fro_c", &ErrorMetrics::fro_c, ""},
+     {"rel_rmse_s0", &ErrorMetrics::rel_rmse_s0, "", StokesComponents::s0()},
+     {"mrse_s0", &ErrorMetrics::mrse_s0, "", StokesComponents::s0()},
+     {"analyzer_inf", &ErrorMetrics::analyzer_inf, "S0"},
+     {"dop_w", &ErrorMetrics::dop_w, ""},
+     {"azimuth_w", &ErrorMetrics::azimuth_w, "rad", StokesComponents::linear()},
+     {"ellip_w", &ErrorMetrics::ellip_w, "rad"},
+     {"poincare_w", &ErrorMetrics::poincare_w, "rad"}}};
 
-/// Requires: same size and same number of wavelengths.
+/// Requires: same size and same number of bands.
 ErrorMetrics error_metrics(const StokesImage& test, const StokesImage& reference);
 
 /// What in a picture cannot be light.
@@ -105,4 +111,4 @@ inline constexpr double double_rounding = 1e-11;
 /// may differ. Requires: same size.
 double color_difference(const StokesImage& test, const StokesImage& reference);
 
-}  // namespace pol::verify
+}  // namespace pol
