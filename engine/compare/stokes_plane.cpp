@@ -44,17 +44,16 @@ public:
     void read(std::size_t pixel, Box& box) const {
         constexpr double mostly_traced = 0.1;
         Stokes<double> sum;
-        double square_error = 0.0;
+        Stokes<double> error;  // at most: bands may share their samples
         for (const Term& term : bands_) {
             sum += term.weight * image_.at(term.band, pixel);
             if (image_.plane_value(image_.residual, term.band, pixel) > mostly_traced) return;
-            if (image_.sampling_error.empty()) continue;
-            const Stokes<double>& e = image_.sampling_error[term.band * image_.pixel_count() + pixel];
-            square_error += term.weight * term.weight * (e.s1 * e.s1 + e.s2 * e.s2 + e.s3 * e.s3);
+            if (!image_.sampling_error.empty())
+                error += std::abs(term.weight) * image_.sampling_error[term.band * image_.pixel_count() + pixel];
         }
         if (!std::isfinite(sum.s0 + sum.s1 + sum.s2 + sum.s3) || sum.s0 < 0.0) return;
         box.light += sum;
-        box.square_error += square_error;
+        box.square_error += error.s1 * error.s1 + error.s2 * error.s2 + error.s3 * error.s3;
         ++box.known;
     }
 
