@@ -3,7 +3,7 @@
 # Builds the fuzz targets and runs them. See --help.
 set -uo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd -P)
-every_kind=(scene mesh index texture exr)
+every_kind=(scene mesh index texture exr live)
 
 usage() {
     cat <<END
