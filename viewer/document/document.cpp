@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <limits>
 
@@ -13,7 +12,7 @@
 #include "core/result.h"
 #include "io/files/assets.h"
 #include "io/files/output_file.h"
-#include "io/pictures/exr_file.h"
+#include "io/pictures/picture_file.h"
 #include "io/scenes/scene_file.h"
 #include "io/scenes/scene_hash.h"
 #include "io/scenes/scene_patch.h"
@@ -27,21 +26,10 @@ namespace {
 /// Small tiles: the first ones of an edited scene are there soon.
 constexpr int tile_size = 16;
 
-bool is_picture(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".exr";
-}
-
 /// Number that no other picture of this program has.
 std::uint64_t next_layout() {
     static std::uint64_t last = 0;  // main thread only
     return ++last;
-}
-
-TileRect whole(const StokesImage& picture) {
-    return {0, 0, picture.width, picture.height};
 }
 
 /// The calling thread gives way to the window's, so that a frame waits for no tile: where they compete, that gets nine
@@ -92,9 +80,10 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
     document->path_ = std::filesystem::absolute(path, unknown_folder).lexically_normal();
     document->name_ = path.filename().string();
     document->watch_ = FileWatch({document->path_});
-    if (is_picture(path)) {
-        POL_TRY(auto picture, read_exr(path));
-        document->show(std::make_shared<StokesImage>(std::move(picture)));
+    if (is_picture_name(path)) {
+        document->picture_source_.files = {path};  // as messages name it
+        POL_TRY_DONE(document->read_picture_again());
+        document->picture_source_.files = {document->path_};
         return document;
     }
     POL_TRY(auto text, read_scene_text(path));
@@ -159,13 +148,13 @@ void Document::show(std::shared_ptr<StokesImage> picture) {
     if (!same_layout) layout_ = next_layout();
     picture_ = std::move(picture);
     lent_ = std::make_shared<std::atomic<int>>(0);
-    changes_ = {whole(*picture_)};
+    changes_ = {whole_picture()};
     ++version_;
 }
 
 std::vector<TileRect> Document::changes_since(std::uint64_t version) const {
     const std::uint64_t count = version_ - std::min(version, version_);
-    if (count > changes_.size()) return {whole(*picture_)};
+    if (count > changes_.size()) return {whole_picture()};
     return {changes_.end() - static_cast<std::ptrdiff_t>(count), changes_.end()};
 }
 
@@ -191,10 +180,7 @@ bool Document::update(double seconds) {
 
 void Document::catch_up() {
     if (!renderer_) return;
-    if (lent_->load(std::memory_order_acquire) > 0 && renderer_->film().version() != film_seen_) {
-        picture_ = std::make_shared<StokesImage>(*picture_);
-        lent_ = std::make_shared<std::atomic<int>>(0);
-    }
+    if (renderer_->film().version() != film_seen_) keep_for_borrowers();
     update(std::numeric_limits<double>::infinity());
 }
 
@@ -341,9 +327,7 @@ Result<Done> Document::reload() {
         return error;
     };
     if (!has_scene()) {
-        auto picture = read_exr(path_);
-        if (!picture) return failed(picture.error());
-        show(std::make_shared<StokesImage>(std::move(picture).value()));
+        if (auto read = read_picture_again(); !read) return failed(read.error());
         return Done{};
     }
     auto text = read_scene_text(path_);

@@ -14,6 +14,7 @@
 #include "core/result.h"
 #include "film/film.h"
 #include "film/stokes_image.h"
+#include "io/pictures/picture_file.h"
 #include "plan/plan.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -35,8 +36,8 @@ struct ShownFact {
 /// Thread safety: main thread only. `wake`, given at opening, is called from workers.
 class Document {
 public:
-    /// Opens a scene (*.yaml, *.yml, *.json) and starts its render, or a Stokes picture (*.exr). Error: as the reader
-    /// or the compiler has it.
+    /// Opens a picture (is_picture_name), or a scene and starts its render. Error: as the reader or the compiler has
+    /// it.
     static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path, std::function<void()> wake);
     /// A scene that no file has yet, by the name that Save will suggest ("calcite-twin.yaml"). It can be made again: it
     /// is not dirty until it is edited. Error: it cannot be rendered.
@@ -45,6 +46,8 @@ public:
     /// be rendered.
     static Result<std::unique_ptr<Document>> of_fact(const verify::Fact& fact, std::size_t view,
                                                      std::function<void()> wake);
+    /// A picture that no file has, by the name that is shown.
+    static std::unique_ptr<Document> of_picture(StokesImage picture, std::string name);
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
@@ -75,6 +78,13 @@ public:
     bool update(double seconds);
     /// Fetches all of them, also while the picture is lent: the borrower keeps the old one.
     void catch_up();
+
+    /// What the reader took the numbers of a picture for, and what the user chose instead.
+    [[nodiscard]] const StokesConvention& readers_convention() const { return read_origin_.convention; }
+    [[nodiscard]] const std::optional<StokesConvention>& chosen_convention() const { return chosen_convention_; }
+    /// Takes them for that; empty: for what the reader did. It holds when the file is read again, and goes with the
+    /// picture (StokesImage::origin). A borrower of the picture keeps the old one. Requires: !has_scene().
+    void take_numbers_for(const std::optional<StokesConvention>& convention);
 
     /// The picture for another thread. While it is lent, update() leaves it as it is; edits do not wait.
     [[nodiscard]] std::shared_ptr<const StokesImage> lend_picture() const;
@@ -145,6 +155,11 @@ private:
     void start();
     void paste(const TileSnapshot& tile);
     void show(std::shared_ptr<StokesImage> picture);
+    Result<Done> read_picture_again();
+    void show_read(StokesImage picture);
+    /// Who has borrowed the picture keeps it as it is, and it can be changed.
+    void keep_for_borrowers();
+    [[nodiscard]] TileRect whole_picture() const { return {0, 0, picture_->width, picture_->height}; }
     void watch_files();
 
     std::filesystem::path path_;
@@ -176,6 +191,9 @@ private:
     bool paused_ = false;
     bool resting_ = false;
     std::optional<ShownFact> fact_;
+    PictureSource picture_source_;
+    PictureOrigin read_origin_;  // of picture_, as the reader had it
+    std::optional<StokesConvention> chosen_convention_;
 };
 
 }  // namespace pol

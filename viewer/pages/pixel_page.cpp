@@ -44,6 +44,10 @@ PageRow row(std::string name, double value, const std::optional<Interval<double>
     return out;
 }
 
+PageRow unmeasured_row(std::string name, std::string_view help) {
+    return {std::move(name), std::string(state_text(PixelState::not_measured)), {}, {}, help};
+}
+
 PageRow exact_row(std::string name, double value, std::string_view unit, std::string_view help) {
     return row(std::move(name), value, std::nullopt, 0.0, unit, help);
 }
@@ -89,6 +93,11 @@ double frame_angle(const PageSettings& settings, const std::optional<CameraRay>&
     return std::atan2(along_y, along_x);
 }
 
+/// Those that are known in a frame turned by `angle`, which mixes S1 and S2.
+StokesComponents known_in_frame(StokesComponents known, double angle) {
+    return angle == 0.0 || known.has(StokesComponents::linear()) ? known : known.without(1).without(2);
+}
+
 /// Bar of an amount of light: it grows by at most `share` of what is missing, and falls by as much of the surplus, but
 /// not below 0.
 Interval<double> one_sided(double amount, const PixelLight& light, double share) {
@@ -105,26 +114,42 @@ std::string complex_text(const std::string& re, const std::string& im) {
 PageGroup matrix_group(PixelPage& page, const PixelLight& light, const Convention& convention) {
     const CoherenceMatrix<double>& j = page.matrix;
     PageGroup group{"Coherence matrix", {}};
+    const bool has_diagonal = light.known.has(0) && light.known.has(1);
+    const bool has_re = light.known.has(2);
+    const bool has_im = light.known.has(3);
     // J_true = J + A - B, both positive semidefinite: 0 <= A_xx <= tr A and |A_xy| <= tr A / 2, the same for B.
     const auto diagonal = [&](double value) { return one_sided(value, light, 1.0); };
     const double radius = 0.5 * (light.missing + light.surplus);
     const auto around = [&](double value) { return Interval<double>{value - radius, value + radius}; };
     const double rounding = rounding_of(light);
-    group.rows.push_back(row("Jxx", j.xx, diagonal(j.xx), rounding, "", "<Ex Ex*>, radiance along x"));
-    group.rows.push_back(row("Re Jxy", j.xy.re, around(j.xy.re), rounding, "", "Real part of <Ex Ey*> = S2 / 2"));
-    group.rows.push_back(row("Im Jxy", j.xy.im, around(j.xy.im), rounding, "",
-                             convention.s3_of_matrix() > 0 ? "Imaginary part of <Ex Ey*> = S3 / 2"
-                                                           : "Imaginary part of <Ex Ey*> = -S3 / 2"));
-    group.rows.push_back(row("Jyy", j.yy, diagonal(j.yy), rounding, "", "<Ey Ey*>, radiance along y"));
+    const auto add = [&](const char* name, bool is_known, double value, const Interval<double>& bar, const char* help) {
+        group.rows.push_back(is_known ? row(name, value, bar, rounding, "", help) : unmeasured_row(name, help));
+    };
+    add("Jxx", has_diagonal, j.xx, diagonal(j.xx), "<Ex Ex*>, radiance along x");
+    add("Re Jxy", has_re, j.xy.re, around(j.xy.re), "Real part of <Ex Ey*> = S2 / 2");
+    add("Im Jxy", has_im, j.xy.im, around(j.xy.im),
+        convention.s3_of_matrix() > 0 ? "Imaginary part of <Ex Ey*> = S3 / 2" : "Imaginary part of <Ex Ey*> = -S3 / 2");
+    add("Jyy", has_diagonal, j.yy, diagonal(j.yy), "<Ey Ey*>, radiance along y");
 
     if (!std::isfinite(j.xx + j.yy + j.xy.re + j.xy.im)) return group;
     constexpr int digits = 4;  // what fits into a panel of 400 points
     const auto text = [&](double value, const Interval<double>& bar) {
         return number_text(value, bar, rounding, digits, "").value;
     };
-    const std::string re = text(j.xy.re, around(j.xy.re));
-    page.matrix_texts = {text(j.xx, diagonal(j.xx)), complex_text(re, text(j.xy.im, around(j.xy.im))),
-                         complex_text(re, text(-j.xy.im, around(-j.xy.im))), text(j.yy, diagonal(j.yy))};
+    const std::string unknown(state_text(PixelState::not_measured));
+    const auto on_diagonal = [&](double value) { return has_diagonal ? text(value, diagonal(value)) : unknown; };
+    const auto off_diagonal = [&](const Complex<double>& z) {
+        return has_re || has_im
+                   ? complex_text(has_re ? text(z.re, around(z.re)) : "?", has_im ? text(z.im, around(z.im)) : "?")
+                   : unknown;
+    };
+    const auto exact_part = [](bool is_known, double part) { return is_known ? fmt::format("{:.17g}", part) : "?"; };
+    const auto exact_off_diagonal = [&](const Complex<double>& z) {
+        if (has_re && has_im) return exact_text(z);
+        return has_re || has_im ? complex_text(exact_part(has_re, z.re), exact_part(has_im, z.im)) : std::string();
+    };
+    page.matrix_texts = {on_diagonal(j.xx), off_diagonal(j.xy),       off_diagonal(conj(j.xy)),
+                         on_diagonal(j.yy), exact_off_diagonal(j.xy), exact_off_diagonal(conj(j.xy))};
     return group;
 }
 
@@ -141,12 +166,16 @@ PageGroup frame_group(const Document& document, const std::optional<CameraRay>& 
         group.rows.push_back(axis_row("k", -axes->direction, "Direction of the light, towards the camera"));
     } else {
         const auto& attributes = document.picture().attributes;
+        const PictureOrigin& origin = document.picture().origin;
         for (const char* name : {"frame", "azimuthZero", "timeSign"})
             if (const auto found = attributes.find(name); found != attributes.end())
                 group.rows.push_back(words(name, found->second, "What the file says"));
         if (group.rows.empty())
             group.rows.push_back(
                 words("frame", "the file says nothing; taken as camera frame", "x image right, y image up"));
+        if (origin != PictureOrigin{})
+            group.rows.push_back(words("numbers", origin.convention.text(),
+                                       "What the numbers of the file are taken for; the Picture panel changes it"));
     }
     if (angle != 0.0)
         group.rows.push_back(
@@ -161,6 +190,11 @@ PageGroup parts_group(const PixelPage& page, const PixelLight& light) {
     const double radius = light.missing + light.surplus;
     const double rounding = rounding_of(light);
     PageGroup group{"Parts", {}};
+    if (light.known != StokesComponents::all()) {
+        for (const char* name : {"polarized", "unpolarized", "eigenvalue 1", "eigenvalue 2"})
+            group.rows.push_back(unmeasured_row(name, "Needs all four Stokes components"));
+        return group;
+    }
     // Weyl: adding A and taking B away moves each eigenvalue up by at most tr A and down by at most tr B.
     const auto add = [&](const char* name, double value, double share, const char* help) {
         group.rows.push_back(row(name, value, one_sided(value, light, share), rounding, "", help));
@@ -178,14 +212,18 @@ PageGroup stokes_group(const PixelPage& page, const PixelLight& light, const Con
     const auto bars = stokes_bars(light);
     const double rounding = rounding_of(light);
     PageGroup group{"Stokes vector", {}};
-    const auto add = [&](const char* name, double value, Interval<double> MeasureBounds<double>::*bar,
+    const auto add = [&](unsigned component, double value, Interval<double> MeasureBounds<double>::*bar,
                          std::string_view help) {
-        group.rows.push_back(row(name, value, bars ? std::optional((*bars).*bar) : std::nullopt, rounding, "", help));
+        std::string name = "S" + std::to_string(component);
+        group.rows.push_back(
+            light.known.has(component)
+                ? row(std::move(name), value, bars ? std::optional((*bars).*bar) : std::nullopt, rounding, "", help)
+                : unmeasured_row(std::move(name), help));
     };
-    add("S0", s.s0, &MeasureBounds<double>::s0, "Jxx + Jyy, spectral radiance");
-    add("S1", s.s1, &MeasureBounds<double>::s1, "Jxx - Jyy: along x minus along y");
-    add("S2", s.s2, &MeasureBounds<double>::s2, "+45 degrees minus -45 degrees");
-    add("S3", s.s3, &MeasureBounds<double>::s3,
+    add(0, s.s0, &MeasureBounds<double>::s0, "Jxx + Jyy, spectral radiance");
+    add(1, s.s1, &MeasureBounds<double>::s1, "Jxx - Jyy: along x minus along y");
+    add(2, s.s2, &MeasureBounds<double>::s2, "+45 degrees minus -45 degrees");
+    add(3, s.s3, &MeasureBounds<double>::s3,
         convention.handedness_name(1) == "right" ? "Circular: right minus left" : "Circular: left minus right");
     return group;
 }
@@ -247,15 +285,23 @@ double shown_angle(const Session& session) {
     return frame_angle(session.page(), camera_axes(*session.current(), *session.selection().pinned()), trouble);
 }
 
+/// Only what the picture says: a foreign one says nothing of what was not traced.
 PageGroup making_group(const PixelReadout& readout, const BandReadout& at) {
     PageGroup group{"How it was made", {}};
     if (readout.samples)
         group.rows.push_back(exact_row("samples", *readout.samples, "", "Rays through this pixel so far"));
-    group.rows.push_back(exact_row("residual", at.light.residual, "", info(Quantity::residual).definition));
-    group.rows.push_back(exact_row("tail", at.tail, "", "Share of the throughput that one random path stands for"));
+    if (readout.has_residual) {
+        group.rows.push_back(exact_row("residual", at.light.residual, "", info(Quantity::residual).definition));
+        group.rows.push_back(exact_row("tail", at.tail, "", "Share of the throughput that one random path stands for"));
+    }
     if (at.brightest > 0.0)
         group.rows.push_back(exact_row("brightest", at.brightest, "", "Most S0 that any path can bring"));
-    group.rows.push_back(exact_row("failures", readout.failures.value_or(0), "", "Samples whose arithmetic failed"));
+    if (readout.has_residual || readout.failures)
+        group.rows.push_back(
+            exact_row("failures", readout.failures.value_or(0), "", "Samples whose arithmetic failed"));
+    if (group.rows.empty())
+        group.rows.push_back(
+            words("samples", "the file says nothing", "Nor what was left out, nor how well it is known"));
     return group;
 }
 
@@ -317,7 +363,8 @@ PixelPage make_pixel_page(const Session& session) {
     const double noise = noise_threshold(1000.0);
     page.seen = measure(Convention{convention.viewpoint}.stokes(turned), noise);
     PixelLight light = at.light;
-    light.stokes = page.stokes = convention.stokes(turned);
+    light.known = page.known = known_in_frame(at.light.known, angle);
+    light.stokes = page.stokes = convention.stokes(only(page.known, turned));
     page.measures = measure(page.stokes, noise);
     page.matrix = convention.matrix(to_coherence(turned));
     page.groups = {matrix_group(page, light, convention),
@@ -342,6 +389,11 @@ std::vector<PageCurve> spectrum_curves(const Session& session) {
     PageCurve s0{"S0", {}, {}, 0.0, 0.0, false};
     for (const BandReadout& at : readout.bands) {
         const double value = at.light.stokes.s0;
+        if (!at.light.known.has(0)) {
+            s0.texts.emplace_back(state_text(PixelState::not_measured));
+            s0.values.emplace_back();
+            continue;
+        }
         const auto bars = stokes_bars(at.light);
         const NumberText text =
             number_text(value, bars ? std::optional(bars->s0) : std::nullopt, rounding_of(at.light), 6, "");
@@ -357,7 +409,8 @@ std::vector<PageCurve> spectrum_curves(const Session& session) {
         if (!about.unit.empty()) curve.name += fmt::format(" ({})", about.unit);
         for (const BandReadout& at : readout.bands) {
             PixelLight light = at.light;
-            light.stokes = session.view().convention.stokes(rotate_basis(at.light.stokes, angle));
+            light.known = known_in_frame(at.light.known, angle);
+            light.stokes = session.view().convention.stokes(only(light.known, rotate_basis(at.light.stokes, angle)));
             const QuantityReadout shown = read_light(light, quantity, 1.0);
             const MapPixel& pixel = shown.pixel;
             curve.values.push_back(pixel.state == PixelState::defined ? std::optional(pixel.value) : std::nullopt);

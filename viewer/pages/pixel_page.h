@@ -25,12 +25,15 @@ struct PageRow {
     std::string exact_bar{};  ///< "[low, high]" with 17 digits; empty as `bar`
 };
 
-/// Entries of the matrix in as many digits as fit beside each other; empty unless they are numbers.
+/// Entries of the matrix in as many digits as fit beside each other, "?" for a part that was not measured; empty unless
+/// they are numbers.
 struct MatrixTexts {
     std::string xx;
     std::string xy;
     std::string yx;
     std::string yy;
+    std::string exact_xy;  ///< with 17 digits; empty if neither part was measured
+    std::string exact_yx;
 };
 
 struct PageGroup {
@@ -46,6 +49,7 @@ struct PixelPage {
     std::string trouble;     ///< why the frame is not the one asked for; empty: it is
     bool from_tree = false;  ///< not rendered yet: the light is that of the explained sample
 
+    StokesComponents known = StokesComponents::all();  ///< in this frame; others are 0 in what follows
     Stokes<double> stokes{};
     CoherenceMatrix<double> matrix{};
     MatrixTexts matrix_texts;

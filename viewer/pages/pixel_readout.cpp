@@ -31,6 +31,7 @@ PixelReadout read_pixel(const Session& session, PixelAddress address, const Conv
         spectrum.push_back(at.light.stokes.s0);
     }
     readout.color = weighted_color(spectrum, band_colors(picture.bands));
+    readout.has_residual = !picture.residual.empty();
     if (!picture.samples.empty()) readout.samples = picture.samples[pixel];
     if (!picture.failures.empty()) readout.failures = picture.failures[pixel];
     return readout;

@@ -30,6 +30,7 @@ struct PixelReadout {
     Rgb color{};                            ///< linear sRGB
     std::optional<std::uint32_t> samples;   ///< none: the picture does not say
     std::optional<std::uint32_t> failures;  ///< samples whose arithmetic failed
+    bool has_residual = false;              ///< the picture says what was not traced
 
     /// `quantity` of one band as maps::evaluate_light has it; `undefined` for the intensity where D65 is not
     /// known. Requires: quantity is not `color`, band < bands.size().

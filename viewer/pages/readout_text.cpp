@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace pol {
 
@@ -108,6 +109,17 @@ std::string_view state_definition(PixelState state) {
             return "not measured: the picture does not have all Stokes components that this needs, such as S3";
     }
     return "";
+}
+
+std::string missing_text(StokesComponents needed, StokesComponents known) {
+    std::vector<std::string> missing;
+    for (unsigned component = 0; component < 4; ++component)
+        if (needed.has(component) && !known.has(component)) missing.push_back("S" + std::to_string(component));
+    if (missing.empty()) return {};
+    const std::string last = missing.back();
+    missing.pop_back();
+    if (missing.empty()) return last + " was not measured";
+    return fmt::format("{} and {} were not measured", fmt::join(missing, ", "), last);
 }
 
 std::string band_text(const Band& band) {

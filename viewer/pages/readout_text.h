@@ -17,6 +17,9 @@ std::string_view state_text(PixelState state);
 /// The same in a sentence.
 std::string_view state_definition(PixelState state);
 
+/// "S3 was not measured", "S1 and S2 were not measured": what of `needed` is not `known`; empty: nothing.
+std::string missing_text(StokesComponents needed, StokesComponents known);
+
 /// A number whose digits end where its bar begins, and that bar.
 struct NumberText {
     std::string value;

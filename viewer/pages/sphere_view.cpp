@@ -49,6 +49,7 @@ std::vector<SpherePoint> sphere_points(const ShownPicture& shown, std::size_t ba
     const double share = static_cast<double>(region.pixel_count()) / static_cast<double>(most);
     const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(share))));
     std::vector<SpherePoint> points;
+    if (shown.known(band) != StokesComponents::all()) return points;
     for (int y = region.y0; y < region.y1; y += step) {
         for (int x = region.x0; x < region.x1; x += step) {
             auto point = sphere_point(shown.stokes(band, shown.picture().pixel(x, y)));
@@ -81,6 +82,7 @@ std::vector<bool> pixels_inside(const ShownPicture& shown, std::size_t band, con
                                 const SphereView& view, const std::vector<DVec2>& polygon, bool front_only) {
     const StokesImage& picture = shown.picture();
     std::vector<bool> marked(picture.pixel_count());
+    if (shown.known(band) != StokesComponents::all()) return marked;
     for (int y = region.y0; y < region.y1; ++y) {
         for (int x = region.x0; x < region.x1; ++x) {
             const std::size_t pixel = picture.pixel(x, y);

@@ -46,14 +46,15 @@ std::string second_line(const Session& session, const PixelReadout& readout) {
     const PixelLight& light = readout.bands[session.view().band].light;
     const Stokes<double>& s = light.stokes;
     const auto bars = stokes_bars(light);
-    const auto number = [&](double value, Interval<double> MeasureBounds<double>::*bar) {
+    const auto number = [&](unsigned component, double value, Interval<double> MeasureBounds<double>::*bar) {
+        if (!light.known.has(component)) return std::string(state_text(PixelState::not_measured));
         const auto interval = bars ? std::optional((*bars).*bar) : std::nullopt;
         return number_text(value, interval, rounding_of(light), 5, "").value;
     };
     using Bars = MeasureBounds<double>;
-    std::string text = fmt::format("S0 {}  S1 {}  S2 {}  S3 {}", number(s.s0, &Bars::s0), number(s.s1, &Bars::s1),
-                                   number(s.s2, &Bars::s2), number(s.s3, &Bars::s3));
-    text += fmt::format("  not traced {}", short_number(light.residual, 3));
+    std::string text = fmt::format("S0 {}  S1 {}  S2 {}  S3 {}", number(0, s.s0, &Bars::s0), number(1, s.s1, &Bars::s1),
+                                   number(2, s.s2, &Bars::s2), number(3, s.s3, &Bars::s3));
+    if (readout.has_residual) text += fmt::format("  not traced {}", short_number(light.residual, 3));
     if (readout.samples) text += fmt::format("  samples {}", *readout.samples);
     if (readout.failures && *readout.failures > 0) text += fmt::format("  failed {}", *readout.failures);
     if (session.view().convention != Convention{}) text += "  " + session.view().convention.stokes_text();

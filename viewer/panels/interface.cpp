@@ -78,7 +78,7 @@ template <class Draw>
 void tab(bool here, const char* name, const Draw& draw, ImGuiTabItemFlags flags = ImGuiTabItemFlags_None) {
     if (!here) return;
     const bool open = ImGui::BeginTabItem(name, nullptr, flags);
-    name_widget(std::string("tab ") + name);
+    name_widget("tab " + std::string(name).substr(0, std::string(name).find("###")));
     if (!open) return;
     ImGui::BeginChild(name);
     draw();
@@ -119,7 +119,9 @@ void Interface::draw_tabs(const Session& session, Wishes& wishes, Stack stack) {
     const bool upper = stack != Stack::lower;
     const bool lower = stack != Stack::upper;
     tab(upper, "Pixel", [&] { pixel_.draw(session, wishes); });
-    tab(upper, "Scene", [&] { scene_.draw(session, wishes); });
+    const bool is_picture = session.current() != nullptr && !session.current()->has_scene();
+    // One tab, which stays open when the document changes.
+    tab(upper, is_picture ? "Picture###Scene" : "Scene###Scene", [&] { scene_.draw(session, wishes); });
     if (upper && session.current() != nullptr && session.current()->fact()) {
         const bool to_front = std::exchange(facts_opened_, session.facts_opened()) != session.facts_opened();
         tab(

@@ -3,9 +3,11 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 
 #include "viewer/commands/commands.h"
+#include "viewer/pages/readout_text.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -36,16 +38,24 @@ void draw_comparison(const Session& session, Wishes& wishes) {
 
 void MapsPanel::draw(const Session& session, Wishes& wishes) {
     const float key_column = ImGui::CalcTextSize("Shift+D").x;
+    std::optional<StokesComponents> known;
+    if (session.current() != nullptr) known = session.shown_picture().known(session.view().band);
     MapGroup group = quantities().front().group;
     for (const QuantityInfo& quantity : quantities()) {
         if (quantity.group != group) ImGui::Separator();
         group = quantity.group;
         const std::string title(quantity.title_in_list());
         const KeyChord chord = chord_of(quantity.quantity);
+        const bool is_measured = !known || known->has(quantity.needs);
+        // It can still be chosen: the picture then says so, and another band may have it.
+        if (!is_measured) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
         if (ImGui::Selectable(title.c_str(), session.view().quantity == quantity.quantity))
             wishes.set(&ViewSettings::quantity, quantity.quantity);
+        if (!is_measured) ImGui::PopStyleColor();
         name_widget("map " + std::string(quantity.name));
-        tooltip(session.view().convention.definition(quantity.quantity).c_str());
+        std::string definition = session.view().convention.definition(quantity.quantity);
+        if (!is_measured) definition += "\nThis picture does not have it: " + missing_text(quantity.needs, *known);
+        tooltip(definition.c_str());
         if (chord.key == Key::none) continue;
         ImGui::SameLine(ImGui::GetContentRegionMax().x - key_column);
         ImGui::TextDisabled("%s", name_of(chord).c_str());

@@ -77,7 +77,6 @@ void draw_convention_choice(Convention convention, Wishes& wishes) {
 }
 
 void draw_matrix(const PixelPage& page) {
-    const CoherenceMatrix<double>& j = page.matrix;
     const MatrixTexts& texts = page.matrix_texts;
     const auto& rows = page.groups.front().rows;
     if (!ImGui::BeginTable("matrix", 3, ImGuiTableFlags_BordersOuter | ImGuiTableFlags_BordersInner)) return;
@@ -95,12 +94,22 @@ void draw_matrix(const PixelPage& page) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("x");
     cell("xx", texts.xx, rows[0].exact, "J_xx = <E_x E_x*>" + bar_of(rows[0]));
-    cell("xy", texts.xy, exact_text(j.xy), "J_xy = <E_x E_y*>" + bars);
+    cell("xy", texts.xy, texts.exact_xy, "J_xy = <E_x E_y*>" + bars);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("y");
-    cell("yx", texts.yx, exact_text(conj(j.xy)), "J_yx, the conjugate of J_xy" + bars);
+    cell("yx", texts.yx, texts.exact_yx, "J_yx, the conjugate of J_xy" + bars);
     cell("yy", texts.yy, rows[3].exact, "J_yy = <E_y E_y*>" + bar_of(rows[3]));
     ImGui::EndTable();
+}
+
+void draw_ellipse(const PixelPage& page) {
+    const float side = ImGui::GetFontSize() * 10.0F;
+    if (page.known == StokesComponents::all()) {
+        draw_polarization_ellipse(page.seen, side);
+        return;
+    }
+    if (page.known.has(StokesComponents::linear())) draw_azimuth(page.seen, side);
+    ImGui::TextWrapped("%s: the ellipse is not known.", missing_text(StokesComponents::all(), page.known).c_str());
 }
 
 void draw_group(const PageGroup& group, bool doubted) {
@@ -166,7 +175,7 @@ void PixelPanel::draw(const Session& session, Wishes& wishes) {
         draw_convention_choice(session.view().convention, wishes);
         ImGui::TreePop();
     }
-    draw_polarization_ellipse(page.seen, ImGui::GetFontSize() * 10.0F);
+    draw_ellipse(page);
     const bool doubted = session.current()->has_scene() && !session.current()->plan()->features.doubts.empty();
     for (std::size_t i = 1; i < page.groups.size(); ++i) draw_group(page.groups[i], doubted);
     draw_curves(session, wishes);

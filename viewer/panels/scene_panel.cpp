@@ -7,6 +7,7 @@
 #include <string>
 
 #include "viewer/commands/command_actions.h"
+#include "viewer/panels/picture_header.h"
 #include "viewer/panels/scene_sections.h"
 #include "viewer/widgets/section.h"
 #include "viewer/widgets/theme.h"
@@ -97,26 +98,6 @@ void draw_plan(const Plan& plan) {
     ImGui::EndTable();
 }
 
-void draw_attributes(const Document& document) {
-    const StokesImage& picture = document.picture();
-    ImGui::TextWrapped("%s", document.path().string().c_str());
-    const bool is_spectrum = !wavelengths_of(picture.bands).empty();
-    ImGui::Text("%d x %d pixels, %zu %s%s", picture.width, picture.height, picture.bands.size(),
-                is_spectrum ? "wavelength" : "band", picture.bands.size() == 1 ? "" : "s");
-    ImGui::TextWrapped("A picture from a file: paths, 3-D view and edits need its scene. Open the scene to have them.");
-    if (!ImGui::BeginTable("attributes", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
-    ImGui::TableSetupColumn("name");
-    ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
-    for (const auto& [name, text] : picture.attributes) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(name.c_str());
-        ImGui::TableNextColumn();
-        ImGui::TextWrapped("%s", text.c_str());
-    }
-    ImGui::EndTable();
-}
-
 }  // namespace
 
 void ScenePanel::draw(const Session& session, Wishes& wishes) {
@@ -126,7 +107,7 @@ void ScenePanel::draw(const Session& session, Wishes& wishes) {
         return;
     }
     if (!document->has_scene()) {
-        draw_attributes(*document);
+        draw_picture_header(session, wishes);
         return;
     }
     draw_file(session, wishes, *document);

@@ -8,7 +8,7 @@
 
 namespace pol {
 
-/// The scene of the current document, to edit; of a picture from a file, what the file says about itself.
+/// The scene of the current document, to edit; of a picture without one, draw_picture_header.
 class ScenePanel {
 public:
     void draw(const Session& session, Wishes& wishes);

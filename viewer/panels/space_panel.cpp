@@ -59,7 +59,7 @@ void SpacePanel::draw(const Session& session, Wishes& wishes) {
     const Document* document = session.current();
     if (document == nullptr) return;
     if (!document->has_scene()) {
-        ImGui::TextWrapped("A picture from a file has no scene: open the scene that it was made from.");
+        ImGui::TextWrapped("A picture has no scene: open the scene that it was made from.");
         return;
     }
     follow(*document, session.explanation());

@@ -119,6 +119,9 @@ void SpherePanel::draw(const Session& session, Wishes& wishes) {
                      point(center + radius * DVec2(lasso_[i + 1].x, -lasso_[i + 1].y)), pin_ink, 1.5F);
     ImGui::TextDisabled("%zu %s; %s", points_.size(), points_.size() == 1 ? "point" : "points",
                         session.view().convention.stokes_text().c_str());
+    const std::string missing =
+        missing_text(StokesComponents::all(), session.shown_picture().known(session.view().band));
+    if (!missing.empty()) list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), (missing + ": no place on it").c_str());
 }
 
 void SpherePanel::choose_source(const Session& session, Wishes& wishes) {
@@ -150,6 +153,7 @@ std::vector<SpherePoint> SpherePanel::points(const Session& session) const {
     if (source_ == Source::pins) {
         for (const PixelAddress& pin : session.selection().pins) {
             for (std::size_t w = 0; w < picture.bands.size(); ++w) {
+                if (shown.known(w) != StokesComponents::all()) continue;
                 auto point = sphere_point(shown.stokes(w, picture.pixel(pin.x, pin.y)));
                 if (!point) continue;
                 point->band = w;

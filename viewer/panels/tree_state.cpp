@@ -15,7 +15,7 @@ bool draw_tree_state(const Session& session, Wishes& wishes) {
     }
     if (!document->has_scene()) {
         ImGui::TextWrapped("%s has pixels but no scene to trace: open the scene it was made of to see paths.",
-                           document->path().filename().c_str());
+                           document->name().c_str());
         return false;
     }
     const ExplanationStatus status = session.explanation_status();

@@ -231,6 +231,8 @@ void export_map(Session& session) {
         reference = LentReference{comparison->reference->lend_picture(), comparison->band};
         caption += " minus " + comparison->reference->name();
     }
+    if (document->chosen_convention())
+        caption += ", its numbers taken for " + document->picture().origin.convention.text();
     if (!session.polarimeter().empty()) caption += ", behind the polarimeter";
     session.start_export("PNG of the map", path,
                          [lent = document->lend_picture(), view, options, polarimeter = session.polarimeter(),

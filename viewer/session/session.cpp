@@ -34,6 +34,10 @@ bool Session::open_scene(Scene scene, const std::string& name) {
     return adopt(Document::make(std::move(scene), name, wake_));
 }
 
+void Session::open_picture(StokesImage picture, std::string name) {
+    adopt(Document::of_picture(std::move(picture), std::move(name)));
+}
+
 bool Session::show_again(const std::function<bool(const Document&)>& wanted) {
     const auto found = std::find_if(documents_.begin(), documents_.end(),
                                     [&](const auto& document) { return !document->dirty() && wanted(*document); });
@@ -215,6 +219,12 @@ bool Session::move_camera(const Document* of, const Camera& camera, const std::s
 
 void Session::set_stop_rules(const Document* of, const StopRules& rules) {
     if (of != nullptr && of == current()) current()->set_stop_rules(rules);
+}
+
+void Session::take_numbers_for(const Document* of, const std::optional<StokesConvention>& convention) {
+    if (of == nullptr || of != current() || of->has_scene()) return;
+    current()->take_numbers_for(convention);
+    log_.add(Severity::note, of->name() + ": its numbers are taken for " + of->picture().origin.convention.text());
 }
 
 bool Session::undo() {

@@ -37,6 +37,8 @@ public:
     bool open(const std::filesystem::path& path);
     /// Makes a scene that no file has (a twin) the current document; on error the log says why.
     bool open_scene(Scene scene, const std::string& name);
+    /// Makes a picture that no file has the current document.
+    void open_picture(StokesImage picture, std::string name);
     /// Makes the scene of a fact the current document, pins its pixel and brings the fact's page to the front; on error
     /// the log says why. One that is open and was not edited is shown again. `fact` must outlive the session, as those
     /// of verify::facts() do.
@@ -83,6 +85,8 @@ public:
     /// An edit whose error goes into the log.
     bool move_camera(const Document* of, const Camera& camera, const std::string& label);
     void set_stop_rules(const Document* of, const StopRules& rules);
+    /// As Document::take_numbers_for. Does nothing unless `of` is a picture that is on screen.
+    void take_numbers_for(const Document* of, const std::optional<StokesConvention>& convention);
     /// True if it was done; an error goes into the log.
     bool undo();
     bool redo();

@@ -14,20 +14,38 @@ namespace {
 
 constexpr int points = 96;
 
-}  // namespace
-
-void draw_polarization_ellipse(const Measures<double>& seen, float side) {
+/// Takes the square's place and draws its axes; returns its center.
+ImVec2 draw_axes(float side, float radius, ImU32 dim) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 center(corner.x + 0.5F * side, corner.y + 0.5F * side);
-    const float radius = 0.42F * side;
-    const ImU32 dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-    const ImU32 ink = ImGui::GetColorU32(ImGuiCol_PlotLines);
     draw.AddLine({center.x - radius, center.y}, {center.x + radius, center.y}, dim);
     draw.AddLine({center.x, center.y - radius}, {center.x, center.y + radius}, dim);
     draw.AddText({center.x + radius - ImGui::GetFontSize() * 0.4F, center.y + 1.0F}, dim, "x");
     draw.AddText({center.x + 3.0F, center.y - radius - ImGui::GetFontSize() * 0.4F}, dim, "y");
+    return center;
+}
+
+}  // namespace
+
+void draw_azimuth(const Measures<double>& seen, float side) {
+    const float radius = 0.42F * side;
+    const ImVec2 center = draw_axes(side, radius, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    if (!seen.has_azimuth) return;
+    const double length = radius * std::sqrt(std::min(1.0, seen.dolp));
+    const auto x = static_cast<float>(length * std::cos(seen.azimuth));
+    const auto y = static_cast<float>(length * std::sin(seen.azimuth));
+    ImGui::GetWindowDrawList()->AddLine({center.x - x, center.y + y}, {center.x + x, center.y - y},
+                                        ImGui::GetColorU32(ImGuiCol_PlotLines), 2.0F);
+}
+
+void draw_polarization_ellipse(const Measures<double>& seen, float side) {
+    const float radius = 0.42F * side;
+    const ImU32 dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    const ImU32 ink = ImGui::GetColorU32(ImGuiCol_PlotLines);
+    const ImVec2 center = draw_axes(side, radius, dim);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (!seen.has_light) return;
 
     const auto place = [&](const DVec2& e, double share) {

@@ -10,4 +10,7 @@ namespace pol {
 /// of shares of S0. `seen`: handedness +1 is clockwise.
 void draw_polarization_ellipse(const Measures<double>& seen, float side);
 
+/// The same where S3 was not measured: a line along the azimuth, of the length of the linear part, and no circle.
+void draw_azimuth(const Measures<double>& seen, float side);
+
 }  // namespace pol
