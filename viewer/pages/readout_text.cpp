@@ -115,11 +115,10 @@ std::string missing_text(StokesComponents needed, StokesComponents known) {
     std::vector<std::string> missing;
     for (unsigned component = 0; component < 4; ++component)
         if (needed.has(component) && !known.has(component)) missing.push_back("S" + std::to_string(component));
-    if (missing.empty()) return {};
-    const std::string last = missing.back();
-    missing.pop_back();
-    if (missing.empty()) return last + " was not measured";
-    return fmt::format("{} and {} were not measured", fmt::join(missing, ", "), last);
+    std::string text;
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ") + missing[i];
+    return missing.empty() ? text : text + (missing.size() == 1 ? " was not measured" : " were not measured");
 }
 
 std::string band_text(const Band& band) {
