@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cli/check_command.h"
+#include "cli/compare_command.h"
 #include "cli/converge_command.h"
 #include "cli/explain_command.h"
 #include "cli/interface_command.h"
@@ -68,7 +69,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 done; 1 defect of this program, or a fact that fails; 2 usage; 3 scene or asset; 4 output;\n"
-        "5 self-check failed (energy, not-a-number); 10 time limit before the samples asked for; 33 out of memory; "
+        "5 self-check failed (energy, not-a-number), or pictures differ; 10 time limit before the samples asked for; 33 out of memory; "
         "130, 141, 143 stopped.\n"
         "\nExample:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr\n"
@@ -77,6 +78,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     ProgramCommand program(app);
     add_render_command(program, exit_code);
     add_maps_command(program, exit_code);
+    add_compare_command(program, exit_code);
     add_explain_command(program, exit_code);
     add_interface_command(program, exit_code);
     add_plan_command(program, exit_code);
