@@ -27,7 +27,7 @@ TEST(Difference, OfEqualLightSummedInAnotherOrderIsZero) {
 // Zero is in the middle whatever the quantity; the tone of a photograph is not for signed numbers.
 TEST(Difference, IsColoredFromBlueToOrangeWithZeroInTheMiddle) {
     for (const Quantity quantity : {Quantity::intensity, Quantity::handedness, Quantity::dop}) {
-        const Map map{quantity, 580.0, true, 3, 1, {{-0.5}, {0.0}, {0.25}}};
+        const Map map{quantity, {580.0, {}}, true, 3, 1, {{-0.5}, {0.0}, {0.25}}};
         MapOptions options;
         options.gamma = 2.0;
         options.offset = 0.3;
@@ -44,7 +44,7 @@ TEST(Difference, IsColoredFromBlueToOrangeWithZeroInTheMiddle) {
 // Lines 90 and -90 degrees apart are the same distance apart: one color. Over a part of the cycle that a user asks for
 // the ends differ, and so do their colors.
 TEST(Difference, OfAzimuthsIsColoredOnAClosedScaleOverTheWholeCycle) {
-    const Map map{Quantity::azimuth, 580.0, true, 3, 1, {{-90.0}, {0.0}, {90.0}}};
+    const Map map{Quantity::azimuth, {580.0, {}}, true, 3, 1, {{-90.0}, {0.0}, {90.0}}};
     for (const MapStyle style : {MapStyle::scientific, MapStyle::paper, MapStyle::wilkie}) {
         MapOptions options;
         options.style = style;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <limits>
 #include <optional>
 #include <string>
@@ -295,23 +294,6 @@ Result<Done> read_numbers(ByteSource& bytes, const NumberFormat& format, const A
         if (progress && !progress(static_cast<double>(done) / static_cast<double>(count))) return was_stopped();
     }
     return Done{};
-}
-
-void merge_equal_colors(StokesImage& image) {
-    if (!rgb_bands(image.bands) || image.bands.size() != 3) return;
-    const auto same = [](double a, double b) {
-        return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-    };
-    const std::size_t pixels = image.pixel_count();
-    for (std::size_t i = 0; i < 2 * pixels; ++i) {
-        const Stokes<double>& a = image.stokes[i];
-        const Stokes<double>& b = image.stokes[i + pixels];
-        if (!same(a.s0, b.s0) || !same(a.s1, b.s1) || !same(a.s2, b.s2) || !same(a.s3, b.s3)) return;
-    }
-    image.bands = {named_band("mono", image.bands.front().known)};
-    image.stokes.resize(pixels);
-    image.stokes.shrink_to_fit();
-    image.origin.remarks.emplace_back("R, G and B are equal to the bit: they are shown as one band, mono.");
 }
 
 }  // namespace pol

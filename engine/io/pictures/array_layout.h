@@ -52,7 +52,4 @@ std::optional<std::uint64_t> number_count(const ArrayShape& shape);
 Result<Done> read_numbers(ByteSource& bytes, const NumberFormat& format, const ArrayLayout& layout, bool fortran_order,
                           StokesImage& image, const ReadProgress& progress);
 
-/// Makes one band "mono" of R, G and B if all their numbers are equal to the bit.
-void merge_equal_colors(StokesImage& image);
-
 }  // namespace pol

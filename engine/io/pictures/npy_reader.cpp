@@ -6,6 +6,7 @@
 
 #include "io/pictures/npy_format.h"
 #include "io/pictures/picture_reading.h"
+#include "io/pictures/stokes_channels.h"
 #include "io/pictures/stored_precision.h"
 
 namespace pol {

@@ -17,6 +17,7 @@
 #include "io/pictures/npy_format.h"
 #include "io/pictures/npz_format.h"
 #include "io/pictures/picture_reading.h"
+#include "io/pictures/stokes_channels.h"
 #include "io/pictures/stored_precision.h"
 #include "io/pictures/zip_archive.h"
 

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/pictures/array_file.h"
 #include "io/pictures/exr_picture.h"
 
 namespace pol {
@@ -26,7 +27,8 @@ struct Format {
     Result<PictureHeader> (*read_header)(const PictureSource&);
     std::span<const PictureLayout> (*layouts)();
 };
-constexpr std::array formats{Format{is_exr_picture, read_exr_picture, read_exr_picture_header, exr_layouts}};
+constexpr std::array formats{Format{is_exr_picture, read_exr_picture, read_exr_picture_header, exr_layouts},
+                             Format{is_array_file, read_array_picture, read_array_header, array_layouts}};
 
 Error usage_error(std::string what, std::string field, std::string hint) {
     return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
@@ -81,7 +83,7 @@ Result<const Format*> format_of(const PictureSource& source) {
                  "is no picture that is read",
                  Place{source.path().string()},
                  {},
-                 "EXR files are; content decides, not the ending"};
+                 "EXR, npy, npz, PNG and FITS are; content decides, not the ending"};
 }
 
 }  // namespace
