@@ -254,6 +254,12 @@ TEST_F(PictureFile, FourFilesAreFoundByAnyOfTheirEndings) {
             EXPECT_EQ(image.bands[0], named_band("R"));
         }
     }
+    // A file that says so is left-handed.
+    write("a_S3.exr", {"R", "G", "B"}, {{{"polarisationHandedness", "left"}}});
+    const StokesImage left = image_of(path("a_S1.exr"));
+    EXPECT_EQ(left.at(2, 1), (Stokes<double>{31.0, 31.0, 31.0, -31.0}));
+    EXPECT_TRUE(left.origin.convention.left_handed);
+    EXPECT_EQ(left.origin.assumed, Names{std::string(assumed_axes)});
     // One channel each, whatever its name.
     for (const std::string name : {"S0", "S1", "S2", "S3"}) write("e_" + name + ".exr", {name});
     EXPECT_EQ(image_of(path("e_S2.exr")).bands, std::vector<Band>{named_band("mono")});

@@ -120,11 +120,12 @@ Result<StokesChannels> specfilm(const std::vector<std::string>& film) {
 
 /// Names behind "S0." that have S1 and S2 beside them.
 std::vector<std::string> named_bands(const std::vector<std::string>& names) {
+    const std::set<std::string_view> all(names.begin(), names.end());
     std::vector<std::string> bands;
     for (const std::string& name : names) {
         if (!name.starts_with("S0.")) continue;
         std::string band = name.substr(3);
-        if (!band.empty() && !parse_wavelength_suffix(band) && has(names, "S1." + band) && has(names, "S2." + band))
+        if (!band.empty() && !parse_wavelength_suffix(band) && all.contains("S1." + band) && all.contains("S2." + band))
             bands.push_back(std::move(band));
     }
     return bands;
@@ -274,9 +275,10 @@ MaybeFit named(const std::vector<std::string>& names, std::string_view /*generat
     Fit fit;
     fit.channels.origin.layout = "Stokes components of named bands";
     StokesComponents known = StokesComponents::linear();
+    const std::set<std::string_view> all(names.begin(), names.end());
     for (const std::string& name : bands) {
         BandChannels& band = fit.channels.bands.emplace_back();
-        const bool has_s3 = has(names, "S3." + name);
+        const bool has_s3 = all.contains("S3." + name);
         if (has_s3) known = StokesComponents::all();
         band.band = named_band(name, has_s3 ? StokesComponents::all() : StokesComponents::linear());
         for (std::size_t s = 0; s < (has_s3 ? 4U : 3U); ++s) band.names[s] = joined(components[s], name);
@@ -320,13 +322,15 @@ MaybeFit plain(const std::vector<std::string>& names, std::string_view /*generat
         if (is_polarization(only->bands.front().names[0])) return std::optional<Fit>();
         return plain_fit(std::move(only->bands), names);
     }
-    std::set<std::string_view> layers;
+    std::map<std::string_view, std::set<std::string_view>> layers;  // colors of each
     for (const std::string& name : names) {
-        const std::string_view layer = split(name).first;
-        if (!layer.empty() && !is_polarization(layer) && !colors_of(names, layer).empty()) layers.insert(layer);
+        const auto [layer, last] = split(name);
+        if (!layer.empty() && std::find(colors.begin(), colors.end(), last) != colors.end()) layers[layer].insert(last);
     }
+    std::erase_if(
+        layers, [](const auto& layer) { return layer.second.size() < colors.size() || is_polarization(layer.first); });
     if (layers.size() != 1) return std::optional<Fit>();
-    return plain_fit(colors_of(names, *layers.begin()), names);
+    return plain_fit(colors_of(names, layers.begin()->first), names);
 }
 
 std::optional<StokesChannels> one_component(const std::vector<std::string>& names) {

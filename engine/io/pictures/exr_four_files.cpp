@@ -124,6 +124,7 @@ constexpr exr::Wish one_component{{}, true};
 Result<PictureHeader> header_of(const FourFiles& files) {
     POL_TRY(PictureHeader whole, exr::read_header(files.paths[0], one_component));
     StokesComponents known = StokesComponents::s0();
+    bool is_left_handed = false;
     for (unsigned s = 1; s < 4; ++s) {
         const fs::path& path = files.paths[s];
         if (path.empty()) continue;
@@ -138,6 +139,7 @@ Result<PictureHeader> header_of(const FourFiles& files) {
             return input_error(path, fmt::format("does not have the channels of {}", s0),
                                "each file has R, G and B, or one channel");
         known = known.with(s);
+        if (s == 3) is_left_handed = one.origin.convention.left_handed;
     }
     const bool has_no_band_name = whole.bands.size() == 1;
     for (Band& band : whole.bands) {
@@ -145,12 +147,15 @@ Result<PictureHeader> header_of(const FourFiles& files) {
         if (has_no_band_name) band.name = "mono";
     }
     whole.origin = origin_of(files);
+    whole.origin.convention.left_handed = is_left_handed;
+    if (is_left_handed) std::erase(whole.origin.assumed, assumed_handedness);
     return whole;
 }
 
-void add_component(StokesImage& whole, const StokesImage& one, std::size_t s) {
+void add_component(StokesImage& whole, const StokesImage& one, std::size_t s, bool is_left_handed) {
     const auto component = exr::stokes_layers[s].component;
-    for (std::size_t i = 0; i < whole.stokes.size(); ++i) whole.stokes[i].*component = one.stokes[i].s0;
+    const double sign = s == 3 && is_left_handed ? -1.0 : 1.0;
+    for (std::size_t i = 0; i < whole.stokes.size(); ++i) whole.stokes[i].*component = sign * one.stokes[i].s0;
     whole.stored.bits = std::min(whole.stored.bits, one.stored.bits);
     if (whole.stored.lossy.empty()) whole.stored.lossy = one.stored.lossy;
 }
@@ -170,7 +175,7 @@ Result<StokesImage> read_four(const FourFiles& files, const ReadProgress& progre
             return input_error(files.paths[s],
                                fmt::format("does not lie where {} does", files.paths[0].filename().string()),
                                "the files of a picture have one data window");
-        add_component(whole, one, s);
+        add_component(whole, one, s, header.origin.convention.left_handed);
     }
     whole.bands = std::move(header.bands);
     whole.origin = std::move(header.origin);

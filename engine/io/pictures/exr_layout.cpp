@@ -20,8 +20,9 @@ Error input_error(std::string what, std::string hint) {
     return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
 }
 
+/// `names` ascend.
 bool has(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::binary_search(names.begin(), names.end(), name);
 }
 
 /// "580,000000nm" of "S0.580,000000nm": what the other layers of a band of ours have behind their dots.

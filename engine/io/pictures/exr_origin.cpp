@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -174,18 +175,18 @@ Result<StokesChannels> own_channels(std::string_view bands, const std::vector<st
     StokesChannels channels;
     channels.origin.layout = "ours, of named bands";
     double last = 0.0;
+    std::set<std::string> taken;
     for (const std::string& line : unescaped_lines(bands)) {
         auto band = band_of(line);
         if (!band || band->band.wavelength_nm.value_or(2.0 * last + 1.0) <= last)
             return not_understood(bands_attribute, line);
         last = band->band.wavelength_nm.value_or(last);
         for (const std::string& name : band->names) {
-            if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
+            if (name.empty() || std::binary_search(names.begin(), names.end(), name)) continue;
             return Error{ErrorKind::input, fmt::format("channel {} is missing", name), {}, {}, "convert it again"};
         }
-        const auto is_twin = [&](const BandChannels& other) { return other.names == band->names; };
-        if (std::any_of(channels.bands.begin(), channels.bands.end(), is_twin))
-            return not_understood(bands_attribute, line);
+        for (const std::string& name : band->names)
+            if (!name.empty() && !taken.insert(name).second) return not_understood(bands_attribute, line);
         channels.bands.push_back(std::move(*band));
     }
     if (channels.bands.empty()) return not_understood(bands_attribute, bands);

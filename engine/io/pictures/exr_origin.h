@@ -32,7 +32,7 @@ std::map<std::string, std::string> own_attributes(const StokesImage& image);
 bool is_own_attribute(std::string_view name);
 
 /// The channels that `polariscope.bands` tells of. Error (kind input, without a place): not of that form, or a channel
-/// is not among `names`.
+/// is not among `names`, which ascend.
 Result<StokesChannels> own_channels(std::string_view bands, const std::vector<std::string>& names);
 
 /// Adds where the picture came from before it became a file of ours. Error: not of that form.

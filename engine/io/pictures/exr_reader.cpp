@@ -12,13 +12,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <fstream>
 #include <map>
 #include <new>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -166,15 +164,8 @@ Result<StokesImage> read_planes(Imf::MultiPartInputFile& file, Plan plan, const 
     return image;
 }
 
-std::optional<Error> file_problem(const std::filesystem::path& path) {
-    std::error_code status;
-    if (!std::filesystem::exists(path, status))
-        return input_error("there is no such file", "check the path and its spelling");
-    if (std::filesystem::is_directory(path, status))
-        return input_error("is a folder, not an EXR file", "name a picture in it");
-    if (!std::filesystem::is_regular_file(path, status)) return input_error("is not a regular file", "check the path");
-    if (!std::ifstream(path, std::ios::binary)) return input_error("cannot be read", "check its permissions");
-    if (std::filesystem::file_size(path, status) == 0) return input_error("is empty", "render it again");
+std::optional<Error> exr_problem(const std::filesystem::path& path) {
+    if (auto problem = picture_file_problem(path)) return problem;
     if (!Imf::isOpenExrFile(path.c_str()))
         return input_error("is not an EXR file", "name a picture that polariscope render wrote");
     return exr_header_problem(path);
@@ -187,7 +178,7 @@ auto opened(const std::filesystem::path& path, Use use) -> decltype(use(std::dec
         error.place.file = path.string();
         return error;
     };
-    if (const auto problem = file_problem(path)) return located(*problem);
+    if (const auto problem = exr_problem(path)) return located(*problem);
     try {
         Imf::MultiPartInputFile file(path.c_str());
         auto used = use(file);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <fstream>
 #include <optional>
 #include <span>
 #include <system_error>
@@ -58,25 +59,12 @@ std::optional<Error> usage_problem(const PictureSource& source) {
     return std::nullopt;
 }
 
-/// What keeps a file from being looked into.
-std::optional<Error> file_problem(const fs::path& path) {
-    const auto problem = [&](std::string what, std::string hint) {
-        return Error{ErrorKind::input, std::move(what), Place{path.string()}, {}, std::move(hint)};
-    };
-    std::error_code status;
-    if (!fs::exists(path, status)) return problem("there is no such file", "check the path and its spelling");
-    if (fs::is_directory(path, status)) return problem("is a folder, not a picture", "name a picture in it");
-    if (!fs::is_regular_file(path, status)) return problem("is not a regular file", "check the path");
-    if (fs::file_size(path, status) == 0) return problem("is empty", "write it again");
-    return std::nullopt;
-}
-
 Result<const Format*> format_of(const PictureSource& source) {
     if (const auto problem = usage_problem(source)) return *problem;
     for (const fs::path& path : source.files)
-        if (const auto problem = file_problem(path)) return *problem;
+        if (const auto problem = picture_file_problem(path)) return *problem;
     for (const fs::path& path : source.stokes_files)
-        if (const auto problem = path.empty() ? std::nullopt : file_problem(path)) return *problem;
+        if (const auto problem = path.empty() ? std::nullopt : picture_file_problem(path)) return *problem;
     for (const Format& format : formats)
         if (format.is_it(source)) return &format;
     return Error{ErrorKind::input,
@@ -110,6 +98,19 @@ bool is_picture_name(const fs::path& path) {
     std::string ending = path.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+std::optional<Error> picture_file_problem(const fs::path& path) {
+    const auto problem = [&](std::string what, std::string hint) {
+        return Error{ErrorKind::input, std::move(what), Place{path.string()}, {}, std::move(hint)};
+    };
+    std::error_code status;
+    if (!fs::exists(path, status)) return problem("there is no such file", "check the path and its spelling");
+    if (fs::is_directory(path, status)) return problem("is a folder, not a picture", "name a picture in it");
+    if (!fs::is_regular_file(path, status)) return problem("is not a regular file", "check the path");
+    if (!std::ifstream(path, std::ios::binary)) return problem("cannot be read", "check its permissions");
+    if (fs::file_size(path, status) == 0) return problem("is empty", "write it again");
+    return std::nullopt;
 }
 
 Result<PictureHeader> read_picture_header(const PictureSource& source) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,10 @@ using ReadProgress = std::function<bool(double)>;
 
 /// True if the ending is one of a picture: exr, npy, npz, png, fits, fit (any case). Scenes have others.
 bool is_picture_name(const std::filesystem::path& path);
+
+/// What keeps any file from being looked into (kind input, with its place): it is missing, a folder, no regular file,
+/// unreadable or empty.
+std::optional<Error> picture_file_problem(const std::filesystem::path& path);
 
 /// Error (kind input) as read_picture, as far as the header tells. Cheap: no pixel is read where that can be avoided.
 Result<PictureHeader> read_picture_header(const PictureSource& source);
