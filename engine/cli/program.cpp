@@ -18,6 +18,7 @@
 #include "cli/check_command.h"
 #include "cli/compare_command.h"
 #include "cli/converge_command.h"
+#include "cli/convert_command.h"
 #include "cli/explain_command.h"
 #include "cli/interface_command.h"
 #include "cli/manual_command.h"
@@ -83,6 +84,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     add_interface_command(program, exit_code);
     add_plan_command(program, exit_code);
     add_check_command(program, exit_code);
+    add_convert_command(program, exit_code);
     add_converge_command(program, exit_code);
     for (const AddCommand add : more) add(program, exit_code);
     add_manual_command(app);
