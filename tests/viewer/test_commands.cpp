@@ -15,9 +15,10 @@
 namespace pol {
 namespace {
 
-std::vector<KeyChord> chords_of(const Command& command) {
+/// `is_free`: no pixel is pinned.
+std::vector<KeyChord> chords_of(const Command& command, bool is_free = true) {
     std::vector<KeyChord> chords;
-    for (const KeyChord& chord : {command.chord, command.also})
+    for (const KeyChord& chord : {command.chord, command.also, is_free ? command.if_free : KeyChord{}})
         if (chord.key != Key::none) chords.push_back(chord);
     return chords;
 }
@@ -41,7 +42,7 @@ TEST(Commands, NoChordMeansTwoThingsAtOnce) {
         std::map<std::string, std::string_view> taken;
         for (const Command& command : commands()) {
             if (!is_enabled(command, *session)) continue;
-            for (const KeyChord& chord : chords_of(command)) {
+            for (const KeyChord& chord : chords_of(command, !session->selection().pinned())) {
                 const auto [other, is_new] = taken.emplace(name_of(chord), command.title);
                 EXPECT_TRUE(is_new) << name_of(chord) << " is " << other->second << " and " << command.title << " with "
                                     << session->documents().size() << " documents";
@@ -73,10 +74,15 @@ TEST(Commands, KeysThatTheReadmePromisesExist) {
     std::set<std::string> bound;
     for (const Command& command : commands())
         for (const KeyChord& chord : chords_of(command)) bound.insert(name_of(chord));
-    for (const char* promised :
-         {"1",    "9",      "0",   "Shift+3", "E",  "Shift+E", "O",      "G",      "R",
-          "F",    "Ctrl+0", "C",   "F11",     "[",  "]",       "Left",   "Right",  "Up",
-          "Down", "Space",  "Tab", "Esc",     "F1", "?",       "Ctrl+O", "Ctrl+Q", "Ctrl+Shift+P"})
+    for (const char* promised : {"PgDn",    "PgUp",   "Ctrl+Tab", "Ctrl+Shift+Tab",
+                                 "Ctrl+1",  "Ctrl+9", "H",        "X",
+                                 "Shift+X", "1",      "9",        "0",
+                                 "Shift+3", "E",      "Shift+E",  "O",
+                                 "G",       "R",      "F",        "Ctrl+0",
+                                 "C",       "F11",    "[",        "]",
+                                 "Left",    "Right",  "Up",       "Down",
+                                 "Space",   "Tab",    "Esc",      "F1",
+                                 "?",       "Ctrl+O", "Ctrl+Q",   "Ctrl+Shift+P"})
         EXPECT_TRUE(bound.contains(promised)) << promised;
 }
 

@@ -13,6 +13,7 @@
 
 #include "viewer/injected_input.h"
 #include "viewer/panels/interface.h"
+#include "viewer/shown/picture_place.h"
 
 namespace pol {
 
@@ -97,7 +98,8 @@ public:
 
     /// Where the center of a pixel lies in the window.
     [[nodiscard]] DVec2 place_of(PixelAddress pixel) const {
-        return frame.viewport.origin + session.transform().view_from_picture({pixel.x + 0.5, pixel.y + 0.5});
+        const ViewTransform placed = of_part(session.transform(), corner_of(session.current()->picture()));
+        return frame.viewport.origin + placed.view_from_picture({pixel.x + 0.5, pixel.y + 0.5});
     }
 
     Session session;

@@ -61,6 +61,7 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers
     self(window).tell_key(key, scancode, action, modifiers);
     constexpr int foreign = GLFW_MOD_ALT | GLFW_MOD_SUPER;
     Session& session = self(window).session();
+    if (action == GLFW_RELEASE) release_key(session, key_of(key));
     if (action == GLFW_RELEASE || (modifiers & foreign) != 0 || session.window().modal()) return;
     const KeyChord chord{key_of(key), (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0};
     if (ImGui::GetIO().WantTextInput && edits_text(chord)) return;

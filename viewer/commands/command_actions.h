@@ -8,6 +8,7 @@
 #include "viewer/commands/commands.h"
 #include "viewer/session/exports.h"
 #include "viewer/session/pixel_export.h"
+#include "viewer/shown/picture_place.h"
 
 namespace pol::action {
 
@@ -28,8 +29,12 @@ inline bool has_tree(const Session& session) {
 inline bool is_free(const Session& session) {
     return is_open(session) && !session.selection().pinned();
 }
-inline bool is_free_of_several(const Session& session) {
-    return has_several(session) && !session.selection().pinned();
+template <std::size_t number>
+bool has_document(const Session& session) {
+    return session.documents().size() >= number;
+}
+inline bool has_reference(const Session& session) {
+    return session.reference() != nullptr;
 }
 inline bool is_rendering(const Session& session) {
     return is_open(session) && session.current()->has_scene();
@@ -74,9 +79,17 @@ bool uses_style(const Session& session) {
     return session.view().style == style;
 }
 
-inline DVec2 extent(const Session& session) {
-    const StokesImage& picture = session.current()->picture();
-    return {picture.width, picture.height};
+template <std::size_t number>
+void show_document(Session& session) {
+    const auto documents = session.documents();
+    if (number <= documents.size()) session.show_document(documents[number - 1]);
+}
+
+inline void fit_picture(Session& session) {
+    fit(session.change_transform(), whole_of(session.current()->picture()), session.view_size());
+}
+inline void center_picture(Session& session) {
+    center(session.change_transform(), whole_of(session.current()->picture()), session.view_size());
 }
 
 inline void zoom(Session& session, double factor) {

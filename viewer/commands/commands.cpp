@@ -18,7 +18,8 @@ const Command* command_for(const Session& session, const KeyChord& chord) {
     if (chord.key == Key::none) return nullptr;
     const auto all = commands();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Command& command) {
-        return (command.chord == chord || command.also == chord) && is_enabled(command, session);
+        const bool is_free = command.if_free == chord && !session.selection().pinned();
+        return (command.chord == chord || command.also == chord || is_free) && is_enabled(command, session);
     });
     return found == all.end() ? nullptr : &*found;
 }
@@ -27,6 +28,11 @@ void wish(Wishes& wishes, const Command& command) {
     wishes.add([&command](Session& session) {
         if (is_enabled(command, session)) command.run(session);
     });
+}
+
+void release_key(Session& session, Key key) {
+    for (const Command& command : commands())
+        if (command.released != nullptr && command.chord.key == key) command.released(session);
 }
 
 bool run_command(Session& session, const KeyChord& chord, bool held) {

@@ -25,6 +25,9 @@ struct Command {
     bool repeats = false;                       ///< while the key is held
     bool (*checked)(const Session&) = nullptr;  ///< null: no check mark in the menu
     std::optional<Quantity> map{};              ///< the one that it shows
+    KeyChord if_free{};                         ///< a third chord, which is its own only while no pixel is pinned
+    void (*released)(Session&) = nullptr;       ///< ends what lasts while the key is held; null: nothing does
+    bool is_listed = true;                      ///< false: another row of the menu and the help names its key, too
 };
 
 /// All commands, in the order of menus and help: rows of a group follow each other. Maps are rows of quantities().
@@ -46,6 +49,9 @@ const Command* command_for(const Session& session, const KeyChord& chord);
 
 /// The command is to be run, if it is still enabled then.
 void wish(Wishes& wishes, const Command& command);
+
+/// Ends what lasts as long as this key is held, whatever modifiers it was pressed with.
+void release_key(Session& session, Key key);
 
 /// Runs what `chord` means; false if that is nothing. `held`: the key repeats.
 bool run_command(Session& session, const KeyChord& chord, bool held = false);

@@ -33,8 +33,10 @@ constexpr std::array mouse_help{
 };
 
 std::string keys_of(const Command& command) {
-    const std::string also = name_of(command.also);
-    return name_of(command.chord) + (also.empty() ? "" : "  " + also);
+    std::string keys = name_of(command.chord);
+    for (const KeyChord& other : {command.also, command.if_free})
+        if (other.key != Key::none) keys += "  " + name_of(other);
+    return keys;
 }
 
 void row(const std::string& keys, const std::string& title, const std::string& help) {
@@ -66,7 +68,7 @@ struct Group {
 std::vector<Group> groups_with_keys() {
     std::vector<Group> groups;
     for (const Command& command : commands()) {
-        if (command.chord.key == Key::none) continue;
+        if (command.chord.key == Key::none || !command.is_listed) continue;
         if (groups.empty() || groups.back().name != command.group) groups.push_back({command.group, {}});
         groups.back().commands.push_back(&command);
     }

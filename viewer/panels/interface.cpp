@@ -42,7 +42,8 @@ void part(const char* name, ImVec2 position, ImVec2 size, const Draw& draw) {
     ImGui::SetNextWindowSize(size);
     constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                       ImGuiWindowFlags_NoNavFocus;  // Ctrl+Tab is ours
     if (ImGui::Begin(name, nullptr, fixed)) {
         log_window();
         draw();
@@ -106,6 +107,7 @@ Widths fitting(const Layout& layout, float window, double scale) {
 }  // namespace
 
 void Interface::draw_left(const Session& session, Wishes& wishes) {
+    if (PicturesPanel::is_needed(session)) section("Pictures", [&] { pictures_.draw(session, wishes); });
     section("Maps", [&] { maps_.draw(session, wishes); });
     if (session.current() == nullptr) return;
     section("View", [&] { draw_view_controls(session, wishes); });

@@ -11,6 +11,7 @@
 #include "viewer/panels/open_dialog.h"
 #include "viewer/panels/paths_panel.h"
 #include "viewer/panels/picture_panel.h"
+#include "viewer/panels/pictures_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
 #include "viewer/panels/save_as_dialog.h"
@@ -47,6 +48,7 @@ private:
     void draw_tabs(const Session& session, Wishes& wishes, Stack stack);
     void draw_overlays(const Session& session, Wishes& wishes);
 
+    PicturesPanel pictures_;
     MapsPanel maps_;
     HistogramPanel histogram_;
     PicturePanel picture_;

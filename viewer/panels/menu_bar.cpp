@@ -46,7 +46,8 @@ float draw_menu_bar(const Session& session, Wishes& wishes) {
         name_widget("menu " + std::string(group));
         if (open) {
             if (group == "File") draw_open_recent(session, wishes);
-            for (std::size_t i = first; i < end; ++i) draw_entry(session, wishes, all[i]);
+            for (std::size_t i = first; i < end; ++i)
+                if (all[i].is_listed) draw_entry(session, wishes, all[i]);
             ImGui::EndMenu();
         }
         first = end;

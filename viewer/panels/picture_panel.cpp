@@ -9,6 +9,7 @@
 
 #include "viewer/panels/hover_readout.h"
 #include "viewer/session/map_look.h"
+#include "viewer/shown/picture_place.h"
 #include "viewer/space/camera_moves.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
@@ -23,6 +24,7 @@ constexpr float click_slack = 4.0F;
 constexpr double wheel_radius = 30.0;
 constexpr float strip_padding = 6.0F;
 
+/// Of what the picture on screen has, from its own corner.
 DVec2 extent_of(const Session& session) {
     const StokesImage& picture = session.current()->picture();
     return {picture.width, picture.height};
@@ -71,19 +73,21 @@ void PicturePanel::draw(const Session& session, Wishes& wishes, Frame& frame) {
     frame.viewport = {{origin.x, origin.y}, {std::max(1.0F, size.x), std::max(1.0F, size.y - strip)}};
     show_viewport(frame);
     if (session.current() == nullptr) {
+        fitted_whole_.reset();
         invite(frame.viewport);
         return;
     }
-    PlacedPicture placed{frame.viewport, session.transform()};
+    const PixelAddress corner = corner_of(session.current()->picture());
+    PlacedPicture placed{frame.viewport, of_part(session.transform(), corner)};
     fit_if_new(session, placed);
     handle_mouse(session, wishes, placed);
-    if (placed.transform != session.transform())
-        wishes.add([transform = placed.transform](Session& s) { s.change_transform() = transform; });
+    if (placed.transform != of_part(session.transform(), corner))
+        wishes.add([transform = of_whole(placed.transform, corner)](Session& s) { s.change_transform() = transform; });
     overlay_.draw(session, placed);
     // Differences are no directions of the picture.
     if (info(session.view().quantity).kind == ScaleKind::cyclic && !session.comparison()) {
-        const DVec2 corner = frame.viewport.origin + frame.viewport.size;
-        draw_azimuth_wheel(session, corner - DVec2(wheel_radius + 10.0), wheel_radius);
+        const DVec2 end = frame.viewport.origin + frame.viewport.size;
+        draw_azimuth_wheel(session, end - DVec2(wheel_radius + 10.0), wheel_radius);
     }
     if (!has_strip) return;
     ImGui::SetCursorScreenPos({origin.x + strip_padding, origin.y + size.y - strip + strip_padding});
@@ -97,11 +101,16 @@ void PicturePanel::draw(const Session& session, Wishes& wishes, Frame& frame) {
 }
 
 void PicturePanel::fit_if_new(const Session& session, PlacedPicture& placed) {
-    const std::uint64_t layout = session.current()->picture_layout();
-    const bool is_new = fitted_layout_ != layout;
+    const StokesImage& picture = session.current()->picture();
+    const WholePicture whole = whole_of(picture);
+    const bool is_new = fitted_whole_ != whole;
     const bool has_new_size = placed.transform.fitted && fitted_view_ != placed.viewport.size;
-    if (is_new || has_new_size) placed.transform.fit(extent_of(session), placed.viewport.size);
-    fitted_layout_ = layout;
+    if (is_new || has_new_size) {
+        ViewTransform transform = session.transform();
+        fit(transform, whole, placed.viewport.size);
+        placed.transform = of_part(transform, corner_of(picture));
+    }
+    fitted_whole_ = whole;
     fitted_view_ = placed.viewport.size;
 }
 

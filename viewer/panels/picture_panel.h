@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <optional>
 
 #include "viewer/panels/color_bar.h"
 #include "viewer/panels/picture_overlay.h"
 #include "viewer/session/session.h"
 #include "viewer/session/wishes.h"
+#include "viewer/shown/picture_place.h"
 #include "viewer/widgets/frame.h"
 
 namespace pol {
@@ -21,13 +22,15 @@ public:
 private:
     enum class Drag { none, pan, region, orbit_camera, pan_camera };
     [[nodiscard]] static Drag drag_meant(const Session& session);
-    /// Moves `placed` as the user does.
+    // They move `placed` as the user does.
+
+    /// Pictures of one size are shown at the same place.
     void fit_if_new(const Session& session, PlacedPicture& placed);
     void handle_mouse(const Session& session, Wishes& wishes, PlacedPicture& placed);
     void handle_wheel(const Session& session, Wishes& wishes, PlacedPicture& placed, const DVec2& at);
     void move_camera(const Session& session, Wishes& wishes, double points_per_pixel);
 
-    std::uint64_t fitted_layout_ = 0;
+    std::optional<WholePicture> fitted_whole_;  // none: nothing is open
     DVec2 fitted_view_{0.0, 0.0};
     Drag drag_ = Drag::none;
     bool dollying_ = false;

@@ -20,6 +20,7 @@
 #include "viewer/picture/picture_floats.h"
 #include "viewer/picture/shader_constants.h"
 #include "viewer/session/map_look.h"
+#include "viewer/shown/picture_place.h"
 
 namespace pol {
 
@@ -146,8 +147,8 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     Drawn drawn;
     drawn.width = width;
     drawn.height = height;
-    drawn.origin = {to_single(session.transform().offset.x * pixel_ratio),
-                    to_single(session.transform().offset.y * pixel_ratio)};
+    const ViewTransform placed = of_part(session.transform(), corner_of(picture));
+    drawn.origin = {to_single(placed.offset.x * pixel_ratio), to_single(placed.offset.y * pixel_ratio)};
     drawn.zoom = to_single(session.transform().scale * pixel_ratio);
     drawn.hatch = to_single(session.transform().scale);
     const bool is_picture = view.quantity == Quantity::color;

@@ -87,7 +87,7 @@ bool Session::open_twin(Scene scene, const std::string& kind, const std::string&
     reference_ = original;
     if (!view_.difference || view_.quantity == Quantity::color) toggle_difference();
     log_.add(Severity::note, name + ": " + what_it_is + ". Shown minus " + original->name() +
-                                 "; X shows the twin itself, Up and Down switch between the two");
+                                 "; X shows the twin itself, PgDn and PgUp switch between the two");
     return true;
 }
 
@@ -106,7 +106,7 @@ Result<Comparison> Session::compare() const {
         return refusal("there is no reference to compare with",
                        "show the picture that others are to be compared with and press Shift+X");
     if (document == reference_)
-        return refusal(document->name() + " is the reference itself", "Up and Down show the other pictures");
+        return refusal(document->name() + " is the reference itself", "PgDn and PgUp show the other pictures");
     const StokesImage& a = document->picture();
     const StokesImage& b = reference_->picture();
     if (a.width != b.width || a.height != b.height)
@@ -159,17 +159,22 @@ bool Session::adopt(Result<std::unique_ptr<Document>> document) {
 
 void Session::make_current(int index) {
     current_ = index;
+    flipped_from_ = nullptr;
     // Both are about the document that was on screen.
     if (window_.question == Question::unsaved_at_close || window_.question == Question::rewrite)
         window_.question = Question::none;
-    fit_band();
+    fit_selection();
 }
 
-void Session::close_document() {
-    if (current_ < 0) return;
-    if (current() == reference_) reference_ = nullptr;
-    documents_.erase(documents_.begin() + current_);
-    make_current(documents_.empty() ? -1 : std::max(0, current_ - 1));
+void Session::close_document(const Document* which) {
+    const auto found = std::find_if(documents_.begin(), documents_.end(),
+                                    [&](const auto& document) { return document.get() == which; });
+    if (found == documents_.end()) return;
+    if (which == reference_) reference_ = nullptr;
+    const auto index = static_cast<int>(found - documents_.begin());
+    documents_.erase(found);
+    const int shown = index <= current_ ? std::max(0, current_ - 1) : current_;
+    make_current(documents_.empty() ? -1 : shown);
 }
 
 std::vector<const Document*> Session::documents() const {
@@ -190,6 +195,23 @@ void Session::step_document(int by) {
     if (documents_.empty()) return;
     const int count = static_cast<int>(documents_.size());
     make_current(((current_ + by) % count + count) % count);
+}
+
+void Session::show_document(const Document* which) {
+    const auto found = std::find_if(documents_.begin(), documents_.end(),
+                                    [&](const auto& document) { return document.get() == which; });
+    if (found != documents_.end() && which != current()) make_current(static_cast<int>(found - documents_.begin()));
+}
+
+void Session::flip_to_reference() {
+    const Document* from = current();
+    if (reference_ == nullptr || from == reference_) return;
+    show_document(reference_);
+    flipped_from_ = from;
+}
+
+void Session::flip_back() {
+    show_document(flipped_from_);
 }
 
 bool Session::logged(const Result<Done>& result) {

@@ -44,7 +44,9 @@ public:
     /// of verify::facts() do.
     bool open_fact(const verify::Fact& fact, std::size_t view_index);
     /// Closes the current document, saved or not; the one before it is shown.
-    void close_document();
+    void close_document() { close_document(current()); }
+    /// Closes one of documents(), saved or not; the current one stays on screen if it is another.
+    void close_document(const Document* which);
 
     [[nodiscard]] std::vector<const Document*> documents() const;
     /// The document on screen, or null.
@@ -52,6 +54,8 @@ public:
     [[nodiscard]] Document* current();
     /// Shows the next (+1) or previous (-1) document.
     void step_document(int by);
+    /// Shows one of documents(); another one: does nothing.
+    void show_document(const Document* which);
 
     /// The current scene with glass in place of its crystals, or without polarization (shown/twins.h), as a document of
     /// its own, shown as its difference from the current one. One that is open and was not edited is shown again.
@@ -64,6 +68,10 @@ public:
     void set_reference();
     /// The document that others are compared with, or null.
     [[nodiscard]] const Document* reference() const { return reference_; }
+    /// Shows the reference until flip_back(), or until another document is shown. Without one, or if it is on screen:
+    /// does nothing.
+    void flip_to_reference();
+    void flip_back();
     /// Whether the current picture can be held against the reference. Error: why not, and what to do.
     [[nodiscard]] Result<Comparison> compare() const;
     /// The comparison on screen; none if no difference is shown: not asked for, not possible, or of color.
@@ -127,7 +135,8 @@ public:
     [[nodiscard]] const WindowState& window() const { return window_; }
     WindowState& change_window() { return window_; }
 
-    // What the user points at (session_selection.cpp)
+    // What the user points at (session_selection.cpp). Pins and region stay where they are in the whole picture when
+    // another document is shown, as far as it has those pixels.
 
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void hover(std::optional<PixelAddress> pixel) { selection_.hovered = pixel; }
@@ -186,6 +195,9 @@ private:
     void follow_files();
     void fit_band();
     void fit_selection();
+    void show_pins();
+    /// Index into pins_ of a pixel of the current picture; pins_.size(): it is not pinned.
+    [[nodiscard]] std::size_t pin_at(PixelAddress pixel) const;
     void look_for_shipped_files();
     /// Index into documents_; -1: none.
     void make_current(int index);
@@ -196,12 +208,16 @@ private:
     std::vector<std::unique_ptr<Document>> documents_;
     int current_ = -1;
     Document* reference_ = nullptr;
-    std::vector<Band> bands_;  ///< that ViewSettings::band counts
+    const Document* flipped_from_ = nullptr;  ///< comes back by flip_back()
+    std::vector<Band> bands_;                 ///< that ViewSettings::band counts
     double wanted_nm_ = default_wavelength_nm;
     ViewSettings view_;
     ViewTransform transform_;
     DVec2 view_size_{1.0, 1.0};
     Selection selection_;
+    PixelAddress corner_;             ///< of the picture whose pixels selection_ counts
+    std::vector<PixelAddress> pins_;  ///< in the whole picture; those that the picture on screen has are selection_'s
+    int pin_ = -1;                    ///< index into pins_ of the one that was pinned or chosen last; -1: none
     PageSettings page_;
     Polarimeter polarimeter_;
     ShownMap shown_map_;

@@ -1,49 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the user points at in the picture on screen.
 #include <algorithm>
+#include <cstddef>
 
 #include "verify/facts/fact.h"
 #include "viewer/session/session.h"
 #include "viewer/shown/histogram.h"
+#include "viewer/shown/picture_place.h"
 
 namespace pol {
 
-/// The picture on screen may be another one, of another size, than that which the user pointed at.
+/// The picture on screen may be another one, of another size or place, than that which the user pointed at.
 void Session::fit_selection() {
     const Document* document = current();
     if (document == nullptr) {
         selection_ = {};
+        pins_.clear();
+        pin_ = -1;
         return;
     }
     const StokesImage& picture = document->picture();
     fit_band();
-    const auto outside = [&](PixelAddress pixel) { return pixel.x >= picture.width || pixel.y >= picture.height; };
-    if (selection_.hovered && outside(*selection_.hovered)) selection_.hovered.reset();
-    if (selection_.marked.size() != picture.pixel_count()) {
+    const PixelAddress by{corner_.x - picture.left, corner_.y - picture.top};
+    corner_ = corner_of(picture);
+    auto& hovered = selection_.hovered;
+    if (hovered) hovered = PixelAddress{hovered->x + by.x, hovered->y + by.y};
+    if (hovered && !has_pixel(picture, *hovered)) hovered.reset();
+    auto& region = selection_.region;
+    if (region) region = TileRect{region->x0 + by.x, region->y0 + by.y, region->x1 + by.x, region->y1 + by.y};
+    if (region &&
+        !(has_pixel(picture, {region->x0, region->y0}) && has_pixel(picture, {region->x1 - 1, region->y1 - 1})))
+        region.reset();
+    if (selection_.marked.size() != picture.pixel_count() || by != PixelAddress{}) {
         selection_.marked.clear();
         selection_.brushed.reset();
     }
-    const auto& region = selection_.region;
-    if (region && (region->x1 > picture.width || region->y1 > picture.height)) selection_.region.reset();
-    const auto pinned = selection_.pinned();
-    if (std::erase_if(selection_.pins, outside) == 0) return;
-    const auto found =
-        pinned ? std::find(selection_.pins.begin(), selection_.pins.end(), *pinned) : selection_.pins.end();
-    // Without it, the pin before it.
-    const auto index = static_cast<int>(found - selection_.pins.begin());
-    selection_.current = found == selection_.pins.end() ? index - 1 : index;
-    selection_.node.reset();
+    show_pins();
+}
+
+void Session::show_pins() {
+    const auto before = selection_.pinned();
+    const StokesImage& picture = current()->picture();
+    selection_.pins.clear();
+    selection_.current = -1;
+    for (std::size_t i = 0; i < pins_.size(); ++i) {
+        const PixelAddress here{pins_[i].x - picture.left, pins_[i].y - picture.top};
+        if (!has_pixel(picture, here)) continue;
+        // Without the chosen one, the pin before it.
+        if (static_cast<int>(i) <= pin_) selection_.current = static_cast<int>(selection_.pins.size());
+        selection_.pins.push_back(here);
+    }
+    if (selection_.pinned() != before) selection_.node.reset();
+}
+
+std::size_t Session::pin_at(PixelAddress pixel) const {
+    const PixelAddress corner = corner_of(current()->picture());
+    const PixelAddress there{corner.x + pixel.x, corner.y + pixel.y};
+    return static_cast<std::size_t>(std::find(pins_.begin(), pins_.end(), there) - pins_.begin());
 }
 
 void Session::pin(PixelAddress pixel) {
     const Document* document = current();
-    if (document == nullptr) return;
-    const StokesImage& picture = document->picture();
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture.width || pixel.y >= picture.height) return;
-    const auto found = std::find(selection_.pins.begin(), selection_.pins.end(), pixel);
-    selection_.current = static_cast<int>(found - selection_.pins.begin());
-    if (found == selection_.pins.end()) selection_.pins.push_back(pixel);
+    if (document == nullptr || !has_pixel(document->picture(), pixel)) return;
+    const std::size_t index = pin_at(pixel);
+    if (index == pins_.size()) pins_.push_back({document->picture().left + pixel.x, document->picture().top + pixel.y});
+    pin_ = static_cast<int>(index);
     selection_.node.reset();
+    show_pins();
 }
 
 void Session::pin_fact() {
@@ -58,16 +81,21 @@ void Session::nudge(int dx, int dy) {
     const auto pinned = selection_.pinned();
     if (!pinned) return;
     const StokesImage& picture = current()->picture();
-    selection_.pins[static_cast<std::size_t>(selection_.current)] = {std::clamp(pinned->x + dx, 0, picture.width - 1),
-                                                                     std::clamp(pinned->y + dy, 0, picture.height - 1)};
+    const std::size_t index = pin_at(*pinned);
+    pins_[index] = {picture.left + std::clamp(pinned->x + dx, 0, picture.width - 1),
+                    picture.top + std::clamp(pinned->y + dy, 0, picture.height - 1)};
+    pin_ = static_cast<int>(index);
     selection_.node.reset();
+    show_pins();
 }
 
 void Session::unpin() {
-    if (!selection_.pinned()) return;
-    selection_.pins.erase(selection_.pins.begin() + selection_.current);
-    selection_.current = static_cast<int>(selection_.pins.size()) - 1;
+    const auto pinned = selection_.pinned();
+    if (!pinned) return;
+    pins_.erase(pins_.begin() + static_cast<std::ptrdiff_t>(pin_at(*pinned)));
+    pin_ = static_cast<int>(pins_.size()) - 1;
     selection_.node.reset();
+    show_pins();
 }
 
 void Session::mark(std::vector<bool> pixels) {
