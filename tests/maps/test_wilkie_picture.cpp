@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors worked out by hand from the formulas of polvis (Mitsuba 3, src/python/python/polvis.py), which states them for
+// Colors worked out by hand from the formulas of polvis (of Mitsuba 3.9), which states them for
 // Wilkie & Weidlich 2010: linear RGB, then the sRGB curve.
 #include <gtest/gtest.h>
 
