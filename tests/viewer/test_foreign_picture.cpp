@@ -48,7 +48,7 @@ protected:
 
 TEST_F(ForeignPicture, ThePageSaysOfWhatWasNotMeasuredThatItWasNot) {
     const PixelPage page = page_of_band(1);
-    for (const char* name : {"S3", "Im Jxy", "DoP", "DoCP", "ellipticity", "ellipticity angle", "handedness",
+    for (const char* name : {"S3", "Im Jxy", "DoP", "DoCP", "ellipticity b/a", "ellipticity angle", "handedness",
                              "polarized", "unpolarized", "eigenvalue 1", "eigenvalue 2"}) {
         EXPECT_EQ(row_of(page, name).value, "not measured") << name;
         EXPECT_EQ(row_of(page, name).exact, "") << name;

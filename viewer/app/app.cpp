@@ -158,17 +158,25 @@ private:
 };
 
 /// Opens what can be opened and says on stderr what cannot. Error: nothing could.
-Result<Done> open_all(Session& session, const std::vector<std::filesystem::path>& files) {
-    for (const auto& file : files)
-        if (!session.open(file)) std::fprintf(stderr, "polariscope: %s\n", session.log().lines().back().text.c_str());
-    if (!files.empty() && session.documents().empty())
+Result<Done> open_all(Session& session, const std::vector<FileToOpen>& files) {
+    const auto open = [&](const FileToOpen& file) {
+        if (!file.is_picture) return session.open(file.source.path());
+        if (!file.from.given()) return session.open(file.source);
+        return session.open(file.source,
+                            [from = file.from](const StokesConvention& readers) { return from.over(readers); });
+    };
+    for (const FileToOpen& file : files)
+        if (!open(file)) std::fprintf(stderr, "polariscope: %s\n", session.log().lines().back().text.c_str());
+    const bool is_anything_there =
+        !session.documents().empty() || !session.readings().empty() || session.window().question == Question::layout;
+    if (!files.empty() && !is_anything_there)
         return Error{ErrorKind::input, "there is nothing to show", {}, {}, "see the messages above"};
     return Done{};
 }
 
 }  // namespace
 
-Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppOptions& options) {
+Result<Done> run_app(const std::vector<FileToOpen>& files, const AppOptions& options) {
     const PendingSignals signals(!options.probe.empty());
     auto library = WindowLibrary::start();
     if (!library) return library.error();

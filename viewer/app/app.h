@@ -6,10 +6,18 @@
 #include <optional>
 #include <vector>
 
+#include "cli/picture_options.h"
 #include "core/result.h"
 #include "viewer/session/window_state.h"
 
 namespace pol {
+
+/// A scene or a picture, as the command line names it.
+struct FileToOpen {
+    PictureSource source;    ///< of a scene: its path alone
+    bool is_picture = true;  ///< whatever its ending
+    ConventionOptions from;  ///< what the numbers of a picture are to be taken for
+};
 
 struct AppOptions {
     int width = 1280;
@@ -23,6 +31,6 @@ struct AppOptions {
 /// Opens the window with these files and runs until the user, SIGTERM or SIGINT ends it. What cannot be opened is said
 /// on stderr. Error (kind usage): there is no display, or no OpenGL 3.3; (kind input): files were named, and none of
 /// them can be opened.
-Result<Done> run_app(const std::vector<std::filesystem::path>& files, const AppOptions& options);
+Result<Done> run_app(const std::vector<FileToOpen>& files, const AppOptions& options);
 
 }  // namespace pol

@@ -21,10 +21,32 @@ namespace pol {
 namespace {
 
 struct ViewRequest {
-    std::vector<std::string> files;
+    PictureOptions picture;
     std::string size = "1280x800";
     AppOptions options;
 };
+
+/// Files are documents of their own, unless options make one picture of them.
+Result<std::vector<FileToOpen>> files_to_open(const PictureOptions& options) {
+    if (!options.stokes.empty() || !options.angles.empty()) {
+        POL_TRY(auto source, options.source());
+        return std::vector{FileToOpen{std::move(source), true, options.from}};
+    }
+    std::vector<FileToOpen> files;
+    for (const std::string& name : options.files) {
+        FileToOpen file{{}, is_picture_name(name) || !options.layout.empty(), options.from};
+        file.source.files = {name};
+        file.source.layout = options.layout;
+        if (!file.is_picture && options.from.given())
+            return Error{ErrorKind::usage,
+                         "'" + name + "' is a scene: its numbers are ours",
+                         {},
+                         "--from-...",
+                         "leave the option out, or open the scene on its own"};
+        files.push_back(std::move(file));
+    }
+    return files;
+}
 
 /// "1280x800" as width and height; what is wrong with it if it is not.
 std::string check_size(const std::string& text) {
@@ -72,9 +94,10 @@ std::string keys_text() {
 
 void add_view_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<ViewRequest>();
-    ProgramCommand command = app.add_subcommand("view", "Open scenes and EXR pictures in a window");
-    command.add_option("files", request->files, "Scenes (*.yaml) and Stokes pictures (*.exr)")
-        .type_name("NAME.yaml|NAME.exr");
+    ProgramCommand command = app.add_subcommand("view", "Open scenes and pictures in a window");
+    command.add_option("files", request->picture.files, "Scenes (*.yaml) and pictures (*.exr, *.npy, *.png, ...)")
+        .type_name("FILE");
+    add_picture_options(command, request->picture);
     command.add_option("--size", request->size, "Size of the window in points")
         .type_name("WxH")
         .check(check_size)
@@ -87,14 +110,16 @@ void add_view_command(ProgramCommand app, int& exit_code) {
         .type_name("FACTOR")
         .check(scale_problem);
     command.add_option("--probe", request->options.probe).hidden().check(check_folder);
-    command.footer(keys_text() +
+    command.footer(keys_text() + '\n' + picture_layouts_text() +
                    "\nExamples:\n"
                    "  polariscope view assets/scenes/paper-calcite-unpolarized.yaml\n"
-                   "  polariscope view before.exr after.exr --theme light");
+                   "  polariscope view before.exr after.exr --theme light\n"
+                   "  polariscope view --stokes s0=i.exr,s1=q.exr,s2=u.exr --from-zero up");
     command.callback([request, &exit_code] {
         AppOptions& options = request->options;
         std::sscanf(request->size.c_str(), "%dx%d", &options.width, &options.height);
-        const auto ended = run_app({request->files.begin(), request->files.end()}, options);
+        const auto files = files_to_open(request->picture);
+        const auto ended = files ? run_app(files.value(), options) : Result<Done>(files.error());
         exit_code = ended ? 0 : report(ended.error());
     });
 }

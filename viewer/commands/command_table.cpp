@@ -42,7 +42,7 @@ constexpr Command document_command(std::string_view title, std::string_view help
 /// All but those of the maps.
 constexpr std::array command_table{
     Command{"File", "Open...", ctrl(letter('O')),
-            "Opens a scene (*.yaml) or an EXR picture; files can be dropped, too.",
+            "Opens a scene (*.yaml) or a picture (*.exr, *.npy, *.png); files can be dropped, too.",
             toggle<&WindowState::path_entry_visible>},
     Command{"File",
             "Reload",

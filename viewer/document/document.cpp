@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/document/document.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -18,6 +15,7 @@
 #include "io/scenes/scene_patch.h"
 #include "plan/compile.h"
 #include "verify/facts/fact.h"
+#include "viewer/document/give_way.h"
 
 namespace pol {
 
@@ -30,13 +28,6 @@ constexpr int tile_size = 16;
 std::uint64_t next_layout() {
     static std::uint64_t last = 0;  // main thread only
     return ++last;
-}
-
-/// The calling thread gives way to the window's, so that a frame waits for no tile: where they compete, that gets nine
-/// times its time. On Linux every thread has a niceness of its own; where it cannot be had, only promptness is lost.
-void give_way() {
-    constexpr int niceness = 10;
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
 }
 
 std::unique_ptr<Renderer> start_workers(std::function<void()> wake) {
@@ -75,17 +66,17 @@ Result<Done> keep_backup(const std::filesystem::path& path) {
 }  // namespace
 
 Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path, std::function<void()> wake) {
+    if (is_picture_name(path)) {
+        PictureSource source;
+        source.files = {path};
+        POL_TRY(auto picture, read_picture(source));
+        return of_file(source, std::move(picture), std::move(wake));
+    }
     std::unique_ptr<Document> document(new Document);
     std::error_code unknown_folder;
     document->path_ = std::filesystem::absolute(path, unknown_folder).lexically_normal();
     document->name_ = path.filename().string();
     document->watch_ = FileWatch({document->path_});
-    if (is_picture_name(path)) {
-        document->picture_source_.files = {path};  // as messages name it
-        POL_TRY_DONE(document->read_picture_again());
-        document->picture_source_.files = {document->path_};
-        return document;
-    }
     POL_TRY(auto text, read_scene_text(path));
     POL_TRY(auto scene, parse_scene(text, path.string(), path.parent_path()));
     document->source_ = Source{std::move(text), scene, document->path_};
@@ -160,6 +151,7 @@ std::vector<TileRect> Document::changes_since(std::uint64_t version) const {
 
 bool Document::update(double seconds) {
     using Clock = std::chrono::steady_clock;
+    take_reading();
     if (!renderer_ || lent_->load(std::memory_order_acquire) > 0) return false;
     const Film& film = renderer_->film();
     const Version newest = film.version();
@@ -327,7 +319,7 @@ Result<Done> Document::reload() {
         return error;
     };
     if (!has_scene()) {
-        if (auto read = read_picture_again(); !read) return failed(read.error());
+        if (auto read = reload_picture(); !read) return failed(read.error());
         return Done{};
     }
     auto text = read_scene_text(path_);

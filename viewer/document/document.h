@@ -20,6 +20,7 @@
 #include "scene/scene.h"
 #include "viewer/document/edit_history.h"
 #include "viewer/document/file_watch.h"
+#include "viewer/document/picture_reading.h"
 
 namespace pol {
 
@@ -46,6 +47,9 @@ public:
     /// be rendered.
     static Result<std::unique_ptr<Document>> of_fact(const verify::Fact& fact, std::size_t view,
                                                      std::function<void()> wake);
+    /// A picture that was read from there. Large ones are read again beside the window, and `wake` is called then.
+    static std::unique_ptr<Document> of_file(const PictureSource& source, StokesImage picture,
+                                             std::function<void()> wake);
     /// A picture that no file has, by the name that is shown.
     static std::unique_ptr<Document> of_picture(StokesImage picture, std::string name);
     ~Document();
@@ -141,9 +145,15 @@ public:
     /// document's own file, `rewrite` decides. Error: the file cannot be written, or would read back as another scene.
     /// Requires: has_scene().
     Result<Saved> save(const std::filesystem::path& path, Rewrite rewrite = Rewrite::ask);
-    /// Reads the file again, as a step that can be undone. Error: the file is broken; the old picture stays and
-    /// problem() says why. Without a file: does nothing.
+    /// Reads the file again; a scene's, as a step that can be undone. Error: the file is broken; the old picture stays
+    /// and problem() says why. A large picture is read beside the window (reading()): update() shows it, or the
+    /// problem. Without a file: does nothing.
     Result<Done> reload();
+    /// The picture that is on its way to take the place of this one, or null.
+    [[nodiscard]] const PictureReading* reading() const { return reading_.get(); }
+    void cancel_reading() {
+        if (reading_) reading_->cancel();
+    }
     /// True if the file was changed by another program. `now_s` as in FileWatch.
     bool file_changed(double now_s) { return watch_.changed(now_s); }
     /// Why the file cannot be shown as it is now: to be read over the picture.
@@ -155,7 +165,8 @@ private:
     void start();
     void paste(const TileSnapshot& tile);
     void show(std::shared_ptr<StokesImage> picture);
-    Result<Done> read_picture_again();
+    Result<Done> reload_picture();
+    void take_reading();
     void show_read(StokesImage picture);
     /// Who has borrowed the picture keeps it as it is, and it can be changed.
     void keep_for_borrowers();
@@ -194,6 +205,8 @@ private:
     PictureSource picture_source_;
     PictureOrigin read_origin_;  // of picture_, as the reader had it
     std::optional<StokesConvention> chosen_convention_;
+    std::unique_ptr<PictureReading> reading_;
+    std::function<void()> wake_;  // of a picture from a file
 };
 
 }  // namespace pol

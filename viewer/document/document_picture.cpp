@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Documents that are pictures without a scene.
+#include <filesystem>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/contract.h"
 #include "core/result.h"
@@ -15,10 +18,49 @@ std::unique_ptr<Document> Document::of_picture(StokesImage picture, std::string 
     return document;
 }
 
-Result<Done> Document::read_picture_again() {
+std::unique_ptr<Document> Document::of_file(const PictureSource& source, StokesImage picture,
+                                            std::function<void()> wake) {
+    std::unique_ptr<Document> document(new Document);
+    document->picture_source_ = source;
+    std::vector<std::filesystem::path> watched;
+    const auto make_absolute = [&](std::filesystem::path& file) {
+        std::error_code unknown_folder;
+        file = std::filesystem::absolute(file, unknown_folder).lexically_normal();
+        watched.push_back(file);
+    };
+    for (auto& file : document->picture_source_.files) make_absolute(file);
+    for (auto& file : document->picture_source_.stokes_files)
+        if (!file.empty()) make_absolute(file);
+    document->path_ = document->picture_source_.path();
+    document->name_ = document->path_.filename().string();
+    document->watch_ = FileWatch(watched);
+    document->wake_ = std::move(wake);
+    document->show_read(std::move(picture));
+    return document;
+}
+
+Result<Done> Document::reload_picture() {
+    POL_TRY(auto header, read_picture_header(picture_source_));
+    if (header.bytes > read_at_once_bytes) {
+        reading_ = std::make_unique<PictureReading>(picture_source_, std::move(header), wake_);
+        return Done{};
+    }
+    reading_.reset();
     POL_TRY(auto picture, read_picture(picture_source_));
     show_read(std::move(picture));
     return Done{};
+}
+
+void Document::take_reading() {
+    if (!reading_) return;
+    auto read = reading_->take();
+    if (!read) return;
+    const bool was_cancelled = reading_->cancelled();
+    reading_.reset();
+    if (*read)
+        show_read(std::move(*read).value());
+    else if (!was_cancelled)
+        problem_ = read->error();
 }
 
 void Document::show_read(StokesImage picture) {

@@ -12,9 +12,11 @@
 #include "viewer/commands/commands.h"
 #include "viewer/panels/fact_panel.h"
 #include "viewer/panels/help_overlay.h"
+#include "viewer/panels/layout_dialog.h"
 #include "viewer/panels/menu_bar.h"
 #include "viewer/panels/polarimeter_panel.h"
 #include "viewer/panels/problem_banner.h"
+#include "viewer/panels/reading_panel.h"
 #include "viewer/panels/rewrite_dialog.h"
 #include "viewer/panels/status_line.h"
 #include "viewer/panels/unsaved_dialog.h"
@@ -145,6 +147,7 @@ void Interface::draw_overlays(const Session& session, Wishes& wishes) {
     save_as_dialog_.draw(session, wishes);
     draw_unsaved_dialog(session, wishes);
     draw_rewrite_dialog(session, wishes);
+    draw_layout_dialog(session, wishes);
 }
 
 Wishes Interface::draw(const Session& session, Frame& frame) {
@@ -200,6 +203,7 @@ Wishes Interface::draw(const Session& session, Frame& frame) {
     if (frame.viewport.size.x > 0.0 && frame.viewport.size != session.view_size())
         wishes.add([size = frame.viewport.size](Session& s) { s.set_view_size(size); });
     draw_problem_banner(session, frame);
+    draw_reading_panel(session, wishes, frame);
     draw_overlays(session, wishes);
     if (any_popup_open() != state.popup_open) wishes.set(&WindowState::popup_open, any_popup_open());
     if (!wishes.empty()) frame.again(0.0);

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/pictures/picture_file.h"
 #include "viewer/widgets/path_entry.h"
 #include "viewer/widgets/theme.h"
 
@@ -19,8 +20,9 @@ namespace fs = std::filesystem;
 namespace {
 
 bool can_be_opened(const fs::path& file) {
-    constexpr std::array<std::string_view, 4> endings{".yaml", ".yml", ".json", ".exr"};
-    return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
+    constexpr std::array<std::string_view, 3> endings{".yaml", ".yml", ".json"};
+    return is_picture_name(file) ||
+           std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
 }
 
 }  // namespace
@@ -61,7 +63,7 @@ void OpenDialog::draw(const Session& session, Wishes& wishes) {
         ImGui::OpenPopup(name);
     }
     bool wanted = false;
-    if (!begin_path_page(name, visible, typed_, "scene.yaml or picture.exr", "Open", was_tried, wanted)) {
+    if (!begin_path_page(name, visible, typed_, "scene.yaml, picture.exr, .npy, .png", "Open", was_tried, wanted)) {
         if (visible != session.window().path_entry_visible) wishes.set(&WindowState::path_entry_visible, visible);
         return;
     }
@@ -77,7 +79,8 @@ void OpenDialog::draw(const Session& session, Wishes& wishes) {
             wanted = !is_folder;
         }
     }
-    if (matches_.empty()) ImGui::TextDisabled("No scene (*.yaml, *.json) or picture (*.exr) begins like this.");
+    if (matches_.empty())
+        ImGui::TextDisabled("No scene (*.yaml, *.json) or picture (*.exr, *.npy, *.png) begins like this.");
     ImGui::EndChild();
 
     if (wanted) {

@@ -72,7 +72,7 @@ bool choose_zero(double& zero_deg) {
     ImGui::InputDouble("degrees", &typed, 0.0, 0.0, "%.6g");
     name_widget("assumed degrees");
     tooltip("From image right, counter-clockwise.");
-    if (ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed)) {
+    if (ImGui::IsItemDeactivatedAfterEdit() && std::abs(typed) <= 360.0) {
         zero_deg = typed;
         changed = true;
     }

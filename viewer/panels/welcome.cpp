@@ -36,7 +36,7 @@ void draw_welcome(const Session& session, Wishes& wishes) {
     ImGui::PushFont(font(FontRole::large));
     ImGui::TextUnformatted("polariscope");
     ImGui::PopFont();
-    ImGui::TextUnformatted("Nothing is open. Drop a scene (*.yaml) or a picture (*.exr) here, or");
+    ImGui::TextUnformatted("Nothing is open. Drop a scene (*.yaml) or a picture (*.exr, *.npy, *.png) here, or");
     if (ImGui::Button("Open a file...  Ctrl+O")) wishes.set(&WindowState::path_entry_visible, true);
     name_widget("button open");
     ImGui::SameLine();

@@ -43,6 +43,13 @@ Preferences from_json(const json& file) {
         if (file.value("style", "") == name) read.style = style;
     for (const json& path : file.value("recent_files", json::array()))
         read.recent_files.emplace_back(path.get<std::string>());
+    for (const json& chosen : file.value("conventions", json::array())) {
+        StokesConvention convention;
+        convention.left_handed = chosen.value("left_handed", false);
+        convention.y_down = chosen.value("y_down", false);
+        convention.azimuth_zero_deg = number(chosen, "azimuth_zero_deg", -360.0, 360.0, 0.0);
+        read.chosen_conventions.push_back({chosen.value("picture", ""), convention});
+    }
     return read;
 }
 
@@ -83,6 +90,12 @@ Result<Done> write_preferences(const Preferences& preferences, const fs::path& p
         if (preferences.style == style) file["style"] = name;
     file["recent_files"] = json::array();
     for (const fs::path& recent : preferences.recent_files) file["recent_files"].push_back(recent.string());
+    file["conventions"] = json::array();
+    for (const auto& [picture, convention] : preferences.chosen_conventions)
+        file["conventions"].push_back({{"picture", picture},
+                                       {"left_handed", convention.left_handed},
+                                       {"y_down", convention.y_down},
+                                       {"azimuth_zero_deg", convention.azimuth_zero_deg}});
     std::error_code failed;
     fs::create_directories(path.parent_path(), failed);
     if (failed)
@@ -95,8 +108,8 @@ Result<Done> write_preferences(const Preferences& preferences, const fs::path& p
 }
 
 Preferences preferences_of(const Session& session) {
-    return {session.window().theme,  session.window().ui_scale, session.window().layout,
-            session.view().quantity, session.view().style,      session.recent_files()};
+    return {session.window().theme, session.window().ui_scale, session.window().layout,     session.view().quantity,
+            session.view().style,   session.recent_files(),    session.chosen_conventions()};
 }
 
 void apply(const Preferences& preferences, Session& session) {
@@ -107,6 +120,7 @@ void apply(const Preferences& preferences, Session& session) {
     session.show(preferences.quantity);
     session.change_view().style = preferences.style;
     session.set_recent_files(preferences.recent_files);
+    session.set_chosen_conventions(preferences.chosen_conventions);
 }
 
 }  // namespace pol

@@ -20,6 +20,7 @@ struct Preferences {
     Quantity quantity = Quantity::color;
     MapStyle style = MapStyle::scientific;
     std::vector<std::filesystem::path> recent_files;  ///< newest first
+    std::vector<Session::ChosenConvention> chosen_conventions;
 };
 
 /// `preferences.json` in $XDG_CONFIG_HOME/polariscope or ~/.config/polariscope; empty if there is no home.

@@ -20,24 +20,6 @@ constexpr double tracing_s = 0.002;
 constexpr double finished_s = 0.010;
 }  // namespace
 
-bool Session::open(const std::filesystem::path& path) {
-    if (!adopt(Document::open(path, wake_))) return false;
-    constexpr std::size_t remembered = 12;
-    const std::filesystem::path opened = current()->path();
-    std::erase(recent_files_, opened);
-    recent_files_.insert(recent_files_.begin(), opened);
-    if (recent_files_.size() > remembered) recent_files_.resize(remembered);
-    return true;
-}
-
-bool Session::open_scene(Scene scene, const std::string& name) {
-    return adopt(Document::make(std::move(scene), name, wake_));
-}
-
-void Session::open_picture(StokesImage picture, std::string name) {
-    adopt(Document::of_picture(std::move(picture), std::move(name)));
-}
-
 bool Session::show_again(const std::function<bool(const Document&)>& wanted) {
     const auto found = std::find_if(documents_.begin(), documents_.end(),
                                     [&](const auto& document) { return !document->dirty() && wanted(*document); });
@@ -146,17 +128,6 @@ void Session::toggle_difference() {
     }
 }
 
-bool Session::adopt(Result<std::unique_ptr<Document>> document) {
-    if (!document) {
-        log_.add(Severity::error, to_string(document.error()));
-        return false;
-    }
-    documents_.push_back(std::move(document).value());
-    make_current(static_cast<int>(documents_.size()) - 1);
-    look_for_shipped_files();
-    return true;
-}
-
 void Session::make_current(int index) {
     current_ = index;
     flipped_from_ = nullptr;
@@ -243,12 +214,6 @@ void Session::set_stop_rules(const Document* of, const StopRules& rules) {
     if (of != nullptr && of == current()) current()->set_stop_rules(rules);
 }
 
-void Session::take_numbers_for(const Document* of, const std::optional<StokesConvention>& convention) {
-    if (of == nullptr || of != current() || of->has_scene()) return;
-    current()->take_numbers_for(convention);
-    log_.add(Severity::note, of->name() + ": its numbers are taken for " + of->picture().origin.convention.text());
-}
-
 bool Session::undo() {
     return current() != nullptr && logged(current()->undo());
 }
@@ -306,6 +271,7 @@ void Session::update() {
     if (!looked_for_shipped_files_) look_for_shipped_files();
     exports_.report(log_);
     follow_files();
+    take_readings();
     const auto compared = comparison();
     const auto is_seen = [&](const Document* document) {
         return document == current() || (compared && document == reference_);
@@ -366,7 +332,9 @@ void Session::follow_files() {
     const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     for (const auto& document : documents_) {
         if (!document->file_changed(now_s)) continue;
-        if (logged(document->reload())) log_.add(Severity::note, document->name() + " was saved: read again");
+        if (logged(document->reload()))
+            log_.add(Severity::note, document->name() + " was saved: " +
+                                         (document->reading() != nullptr ? "it is being read" : "read") + " again");
     }
 }
 

@@ -8,11 +8,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "spectrum/wavelength_grid.h"
 #include "viewer/document/document.h"
+#include "viewer/document/picture_reading.h"
 #include "viewer/session/explanation.h"
 #include "viewer/session/export_queue.h"
 #include "viewer/session/log.h"
@@ -33,8 +35,28 @@ public:
     /// `wake` is called from worker threads whenever there is something new to draw.
     explicit Session(std::function<void()> wake = {}) : wake_(std::move(wake)), exports_(wake_), explanation_(wake_) {}
 
-    /// Opens a file and makes it the current document; on error the log says why and nothing changes.
+    /// Opens a scene or a picture (is_picture_name) and makes it the current document; on error the log says why and
+    /// nothing changes. As the other open() where it is a picture.
     bool open(const std::filesystem::path& path);
+    /// What the numbers are to be taken for, from what their reader took them for.
+    using ConventionChoice = std::function<StokesConvention(const StokesConvention&)>;
+    /// Opens a picture. A large one is read beside the window: update() shows it when it is there (readings()). If
+    /// several layouts fit, asks (Question::layout). Without a choice its numbers are taken for what the user chose
+    /// when it was open before.
+    bool open(const PictureSource& source, const ConventionChoice& choice = {});
+    /// Pictures that are on their way.
+    [[nodiscard]] std::vector<const PictureReading*> readings() const;
+    /// Does nothing if it is there already.
+    void cancel_reading(const PictureReading* reading);
+    /// What Question::layout is about.
+    struct LayoutQuestion {
+        PictureSource source;
+        ConventionChoice choice;
+        std::vector<std::string_view> layouts;  ///< that fit
+    };
+    [[nodiscard]] const std::optional<LayoutQuestion>& layout_question() const { return layout_question_; }
+    /// Opens the picture in this layout. Without the question: does nothing.
+    void answer_layout(std::string_view layout);
     /// Makes a scene that no file has (a twin) the current document; on error the log says why.
     bool open_scene(Scene scene, const std::string& name);
     /// Makes a picture that no file has the current document.
@@ -93,7 +115,8 @@ public:
     /// An edit whose error goes into the log.
     bool move_camera(const Document* of, const Camera& camera, const std::string& label);
     void set_stop_rules(const Document* of, const StopRules& rules);
-    /// As Document::take_numbers_for. Does nothing unless `of` is a picture that is on screen.
+    /// As Document::take_numbers_for, and remembers it for that file. Does nothing unless `of` is a picture that is on
+    /// screen.
     void take_numbers_for(const Document* of, const std::optional<StokesConvention>& convention);
     /// True if it was done; an error goes into the log.
     bool undo();
@@ -183,6 +206,14 @@ public:
     /// Newest first.
     [[nodiscard]] const std::vector<std::filesystem::path>& recent_files() const { return recent_files_; }
     void set_recent_files(std::vector<std::filesystem::path> files) { recent_files_ = std::move(files); }
+    /// What the user took the numbers of a picture for, by the path of its file, or its name. Newest first.
+    struct ChosenConvention {
+        std::string key;
+        StokesConvention convention;
+        friend bool operator==(const ChosenConvention&, const ChosenConvention&) = default;
+    };
+    [[nodiscard]] const std::vector<ChosenConvention>& chosen_conventions() const { return chosen_conventions_; }
+    void set_chosen_conventions(std::vector<ChosenConvention> chosen) { chosen_conventions_ = std::move(chosen); }
     /// As they were when the first frame was due, or a document was opened last.
     [[nodiscard]] const ShippedFiles& shipped_files() const { return shipped_files_; }
 
@@ -190,6 +221,11 @@ private:
     void ask_for_explanation();
     [[nodiscard]] std::optional<ExplanationRequest> wanted_explanation() const;
     bool adopt(Result<std::unique_ptr<Document>> document);
+    bool show_read(const PictureSource& source, Result<StokesImage> picture, const ConventionChoice& choice);
+    void take_readings();
+    void remember_file();
+    void take_numbers_as_before();
+    static std::string remembered_by(const Document& document);
     bool open_twin(Scene scene, const std::string& kind, const std::string& what_it_is);
     bool logged(const Result<Done>& result);
     void follow_files();
@@ -230,6 +266,13 @@ private:
     bool looked_for_shipped_files_ = false;
     ShippedFiles shipped_files_;
     ExplanationJob explanation_;
+    struct PendingPicture {
+        std::unique_ptr<PictureReading> reading;
+        ConventionChoice choice;
+    };
+    std::vector<PendingPicture> pending_;
+    std::optional<LayoutQuestion> layout_question_;
+    std::vector<ChosenConvention> chosen_conventions_;
 };
 
 }  // namespace pol

@@ -23,6 +23,7 @@ enum class Question : std::uint8_t {
     unsaved_at_close,  ///< edits of the current document, which is to be closed
     unsaved_at_end,    ///< edits of any document, before the program ends
     rewrite,           ///< whether to write the current document's file anew, which cannot take an edit as it is
+    layout,            ///< in which of several layouts that fit a picture is to be read
 };
 
 struct WindowState {
