@@ -38,6 +38,11 @@ ProgramOption& ProgramOption::check(const std::function<std::string(const std::s
     return *this;
 }
 
+ProgramOption& ProgramOption::optional_value() {
+    option_->expected(0, 1);
+    return *this;
+}
+
 ProgramOption& ProgramOption::hidden() {
     option_->group({});
     return *this;

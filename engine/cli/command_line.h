@@ -27,6 +27,8 @@ public:
     ProgramOption& capture_default_str();
     /// Values, from `least` to `most` of them, may be written as one word with this between them.
     ProgramOption& list(char delimiter, int least, int most);
+    /// The value may be left out; then it is the empty text.
+    ProgramOption& optional_value();
     /// `problem` says what is wrong with a word; nothing if it is right.
     ProgramOption& check(const std::function<std::string(const std::string&)>& problem);
     /// The help does not show it.

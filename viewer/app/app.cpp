@@ -190,6 +190,7 @@ Result<Done> run_app(const std::vector<FileToOpen>& files, const AppOptions& opt
     WindowState& state = session.change_window();
     state.theme = options.theme.value_or(state.theme);
     state.ui_scale = options.ui_scale.value_or(state.ui_scale);
+    if (options.listen) POL_TRY_DONE(session.listen(*options.listen, options.live_rules));
     POL_TRY_DONE(open_all(session, files));
     POL_TRY(auto window, AppWindow::open(session, options));
     POL_TRY(auto picture, PictureRenderer::create());

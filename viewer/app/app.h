@@ -8,6 +8,8 @@
 
 #include "cli/picture_options.h"
 #include "core/result.h"
+#include "io/live/live_address.h"
+#include "io/live/live_events.h"
 #include "viewer/session/window_state.h"
 
 namespace pol {
@@ -23,7 +25,9 @@ struct AppOptions {
     int width = 1280;
     int height = 800;
     std::optional<Theme> theme;
-    std::optional<double> ui_scale;  ///< instead of the screen's
+    std::optional<double> ui_scale;     ///< instead of the screen's
+    std::optional<LiveAddress> listen;  ///< for pictures of other programs; empty: off
+    LiveRules live_rules;
     /// Where to write what the window shows at every SIGUSR1 (app_probe.h); empty: nowhere.
     std::filesystem::path probe;
 };

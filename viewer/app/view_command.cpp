@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cli/messages.h"
+#include "core/result.h"
 #include "viewer/app/app.h"
 #include "viewer/commands/commands.h"
 
@@ -22,6 +23,7 @@ namespace {
 
 struct ViewRequest {
     PictureOptions picture;
+    std::optional<std::string> listen;
     std::string size = "1280x800";
     AppOptions options;
 };
@@ -48,6 +50,22 @@ Result<std::vector<FileToOpen>> files_to_open(const PictureOptions& options) {
     return files;
 }
 
+/// Where to listen. A word behind --listen that is a file is one: it could be left out.
+Result<std::optional<LiveAddress>> listening_address(ViewRequest& request) {
+    const bool needs_it = request.options.live_rules.anywhere || !request.options.live_rules.open_folder.empty();
+    if (!request.listen) {
+        if (!needs_it) return std::optional<LiveAddress>();
+        return Error{ErrorKind::usage, "is about listening, which is off", {}, "--listen-...", "add --listen"};
+    }
+    std::error_code unknown;
+    if (std::filesystem::exists(*request.listen, unknown)) {
+        request.picture.files.insert(request.picture.files.begin(), *request.listen);
+        request.listen->clear();
+    }
+    POL_TRY(auto address, read_live_address(*request.listen));
+    return std::optional(std::move(address));
+}
+
 /// "1280x800" as width and height; what is wrong with it if it is not.
 std::string check_size(const std::string& text) {
     int width = 0;
@@ -69,9 +87,14 @@ std::string scale_problem(const std::string& text) {
     return right ? std::string() : "'" + text + "' is no factor from 0.5 to 4";
 }
 
-std::string check_folder(const std::string& text) {
+std::string folder_problem(const std::string& text) {
     std::error_code failed;
     if (!std::filesystem::is_directory(text, failed)) return "there is no folder '" + text + "': make it first";
+    return {};
+}
+
+std::string check_folder(const std::string& text) {
+    if (const std::string problem = folder_problem(text); !problem.empty()) return problem;
     if (::access(text.c_str(), W_OK | X_OK) != 0) return "the folder '" + text + "' cannot be written to";
     return {};
 }
@@ -109,17 +132,35 @@ void add_view_command(ProgramCommand app, int& exit_code) {
     command.add_option("--ui-scale", request->options.ui_scale, "Size of fonts and widgets; without it, the screen's")
         .type_name("FACTOR")
         .check(scale_problem);
+    command
+        .add_option_function<std::string>(
+            "--listen", [request](const std::string& address) { request->listen = address; },
+            "Take pictures that other programs send as to the viewer tev; at 127.0.0.1:14158 unless said")
+        .type_name("HOST:PORT|unix:PATH")
+        .optional_value();
+    command.add_flag("--listen-anywhere", request->options.live_rules.anywhere,
+                     "Listen where other machines can reach it, too");
+    command
+        .add_option("--listen-open", request->options.live_rules.open_folder,
+                    "Programs that send may have files of this folder opened")
+        .type_name("FOLDER")
+        .check(folder_problem);
     command.add_option("--probe", request->options.probe).hidden().check(check_folder);
     command.footer(keys_text() + '\n' + picture_layouts_text() +
                    "\nExamples:\n"
                    "  polariscope view assets/scenes/paper-calcite-unpolarized.yaml\n"
                    "  polariscope view before.exr after.exr --theme light\n"
-                   "  polariscope view --stokes s0=i.exr,s1=q.exr,s2=u.exr --from-zero up");
+                   "  polariscope view --stokes s0=i.exr,s1=q.exr,s2=u.exr --from-zero up\n"
+                   "  polariscope view --listen");
     command.callback([request, &exit_code] {
         AppOptions& options = request->options;
         std::sscanf(request->size.c_str(), "%dx%d", &options.width, &options.height);
-        const auto files = files_to_open(request->picture);
-        const auto ended = files ? run_app(files.value(), options) : Result<Done>(files.error());
+        const auto run = [&]() -> Result<Done> {
+            POL_TRY(options.listen, listening_address(*request));
+            POL_TRY(const auto files, files_to_open(request->picture));
+            return run_app(files, options);
+        };
+        const auto ended = run();
         exit_code = ended ? 0 : report(ended.error());
     });
 }

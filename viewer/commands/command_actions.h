@@ -179,6 +179,13 @@ bool view_has(const Session& session) {
     return session.view().*flag;
 }
 
+inline void toggle_listening(Session& session) {
+    if (session.listener() != nullptr)
+        session.stop_listening();
+    else if (const auto listening = session.listen({}, {}); !listening)
+        session.say(Severity::error, to_string(listening.error()));
+}
+
 /// Into the scene's file, or a new one (free_export_path). False if that failed; the log says why.
 inline bool save_scene(Session& session) {
     if (!is_rendering(session)) return false;

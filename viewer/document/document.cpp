@@ -208,7 +208,11 @@ void Document::paste(const TileSnapshot& tile) {
         const std::vector<double> none(from_pixels * (to.tail.size() / to_pixels), 0.0);
         planes(none, to.tail, 0.0);
     }
-    changes_.push_back(tile.rect);
+    note_change(tile.rect);
+}
+
+void Document::note_change(const TileRect& rect) {
+    changes_.push_back(rect);
     ++version_;
     constexpr std::ptrdiff_t many = 4096;  // whoever lags further behind looks at the whole picture
     if (changes_.size() > 2 * many) changes_.erase(changes_.begin(), changes_.end() - many);

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -90,6 +92,16 @@ public:
     /// picture (StokesImage::origin). A borrower of the picture keeps the old one. Requires: !has_scene().
     void take_numbers_for(const std::optional<StokesConvention>& convention);
 
+    /// Changes a picture that no file has, as the program wants that makes it: what lies in `rect` is new then. A
+    /// borrower keeps the old one. Requires: !has_scene(), and the rectangle lies inside.
+    void paint(const TileRect& rect, const std::function<void(StokesImage&)>& change);
+    /// The same of what it says of its picture; what the user took the numbers for stays.
+    void describe(const std::function<void(StokesImage&)>& change);
+    /// Another picture in its place, as above. Requires: !has_scene().
+    void replace_picture(StokesImage picture) { show_read(std::move(picture)); }
+    /// It was painted within the last half second.
+    [[nodiscard]] bool growing() const;
+
     /// The picture for another thread. While it is lent, update() leaves it as it is; edits do not wait.
     [[nodiscard]] std::shared_ptr<const StokesImage> lend_picture() const;
 
@@ -165,6 +177,7 @@ private:
     void start();
     void paste(const TileSnapshot& tile);
     void show(std::shared_ptr<StokesImage> picture);
+    void note_change(const TileRect& rect);
     Result<Done> reload_picture();
     void take_reading();
     void show_read(StokesImage picture);
@@ -207,6 +220,7 @@ private:
     std::optional<StokesConvention> chosen_convention_;
     std::unique_ptr<PictureReading> reading_;
     std::function<void()> wake_;  // of a picture from a file
+    std::optional<std::chrono::steady_clock::time_point> painted_;
 };
 
 }  // namespace pol

@@ -84,6 +84,28 @@ void Document::take_numbers_for(const std::optional<StokesConvention>& conventio
     ++version_;
 }
 
+void Document::paint(const TileRect& rect, const std::function<void(StokesImage&)>& change) {
+    POL_EXPECTS(!has_scene());
+    keep_for_borrowers();
+    change(*picture_);
+    note_change(rect);
+    painted_ = std::chrono::steady_clock::now();
+}
+
+void Document::describe(const std::function<void(StokesImage&)>& change) {
+    const auto chosen = chosen_convention_;
+    take_numbers_for(std::nullopt);
+    keep_for_borrowers();
+    change(*picture_);
+    read_origin_ = picture_->origin;
+    take_numbers_for(chosen);
+    note_change(whole_picture());
+}
+
+bool Document::growing() const {
+    return painted_ && std::chrono::steady_clock::now() - *painted_ < std::chrono::milliseconds(500);
+}
+
 void Document::keep_for_borrowers() {
     if (lent_->load(std::memory_order_acquire) == 0) return;
     picture_ = std::make_shared<StokesImage>(*picture_);

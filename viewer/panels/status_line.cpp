@@ -99,6 +99,17 @@ void draw_reference(const Session& session, const ThemeColors& color) {
           "The picture that is subtracted is still being rendered.");
 }
 
+void draw_listening(const Session& session, const ThemeColors& color) {
+    const LiveListener* listener = session.listener();
+    if (listener == nullptr) return;
+    const std::uint64_t connections = listener->counts().connections;
+    entry("live", color.text,
+          fmt::format("listening on {}, {} connection{} so far", listener->address().text(), connections,
+                      connections == 1 ? "" : "s"),
+          "Programs that speak the protocol of the viewer tev can send pictures there. File > Listen for pictures ends "
+          "it.");
+}
+
 /// The file that is being written, and how many wait for it.
 void draw_export(const ExportQueue& exports, const ThemeColors& color) {
     const auto running = exports.running();
@@ -138,10 +149,14 @@ void draw_status_line(const Session& session, Wishes& wishes) {
             draw_progress(*document, progress, color);
             draw_errors(document->plan()->features, progress.film, color);
         } else {
-            entry("progress", color.text, "picture from a file", "Nothing is traced: there is no scene.");
+            const char* what = document->growing()        ? "being received"
+                               : document->path().empty() ? "picture without a file"
+                                                          : "picture from a file";
+            entry("progress", color.text, what, "Nothing is traced: there is no scene.");
         }
     }
     draw_reference(session, color);
+    draw_listening(session, color);
     draw_export(session.exports(), color);
     draw_message(session, wishes);
 }

@@ -142,6 +142,7 @@ void Session::close_document(const Document* which) {
                                     [&](const auto& document) { return document.get() == which; });
     if (found == documents_.end()) return;
     if (which == reference_) reference_ = nullptr;
+    forget_live(which);
     const auto index = static_cast<int>(found - documents_.begin());
     documents_.erase(found);
     const int shown = index <= current_ ? std::max(0, current_ - 1) : current_;
@@ -272,6 +273,7 @@ void Session::update() {
     exports_.report(log_);
     follow_files();
     take_readings();
+    take_live();
     const auto compared = comparison();
     const auto is_seen = [&](const Document* document) {
         return document == current() || (compared && document == reference_);
@@ -292,10 +294,11 @@ void Session::update() {
         shown_map_.clear();
         return;
     }
-    const bool grows = tracing || behind;
+    const bool is_painted = document->growing();
+    const bool grows = tracing || behind || is_painted;
     shown_map_.update(*document, view_, polarimeter_, tracing ? tracing_s : finished_s, grows, compared);
     // What is left to do when the workers call no more.
-    if (!tracing && (behind || !shown_map_.complete()) && wake_) wake_();
+    if (!tracing && (behind || (!is_painted && !shown_map_.complete())) && wake_) wake_();
 }
 
 void Session::catch_up() {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/live/live_listener.h"
 #include "spectrum/wavelength_grid.h"
 #include "viewer/document/document.h"
 #include "viewer/document/picture_reading.h"
@@ -48,6 +50,13 @@ public:
     [[nodiscard]] std::vector<const PictureReading*> readings() const;
     /// Does nothing if it is there already.
     void cancel_reading(const PictureReading* reading);
+    /// Takes pictures that other programs send in the way of the viewer tev, from now on; what was listened to before
+    /// is closed. Each is a document, which grows. Error: as LiveListener::start.
+    Result<Done> listen(const LiveAddress& address, const LiveRules& rules);
+    /// The pictures stay as they are.
+    void stop_listening();
+    /// Null: off.
+    [[nodiscard]] const LiveListener* listener() const { return listener_.get(); }
     /// What Question::layout is about.
     struct LayoutQuestion {
         PictureSource source;
@@ -223,6 +232,15 @@ private:
     bool adopt(Result<std::unique_ptr<Document>> document);
     bool show_read(const PictureSource& source, Result<StokesImage> picture, const ConventionChoice& choice);
     void take_readings();
+    void take_live();
+    [[nodiscard]] Document* live_document(LivePictureId id);
+    void take_event(LiveCreated& created);
+    void take_event(LiveUpdated& updated);
+    void take_event(LiveDescribed& described);
+    void take_event(LiveClosed& closed);
+    void take_event(LiveOpened& opened);
+    void take_event(LiveLine& line);
+    void forget_live(const Document* document);
     void remember_file();
     void take_numbers_as_before();
     static std::string remembered_by(const Document& document);
@@ -273,6 +291,12 @@ private:
     std::vector<PendingPicture> pending_;
     std::optional<LayoutQuestion> layout_question_;
     std::vector<ChosenConvention> chosen_conventions_;
+    struct LiveShown {
+        Document* document = nullptr;
+        std::shared_ptr<const LivePicture> picture;
+    };
+    std::map<LivePictureId, LiveShown> live_;
+    std::unique_ptr<LiveListener> listener_;  // null: live_ is empty
 };
 
 }  // namespace pol

@@ -148,7 +148,7 @@ void Session::take_numbers_as_before() {
 }
 
 std::string Session::remembered_by(const Document& document) {
-    return document.path().empty() ? document.name() : document.path().string();
+    return document.path().empty() ? "sent: " + document.name() : document.path().string();
 }
 
 }  // namespace pol

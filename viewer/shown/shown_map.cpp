@@ -15,6 +15,8 @@ namespace {
 
 /// A grown picture is looked at again after so many times the time that the last look took.
 constexpr double rest_after_sweep = 9.0;
+/// And not before: nobody reads a histogram faster.
+constexpr double least_rest_s = 0.25;
 
 double now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -119,7 +121,7 @@ bool ShownMap::update(const Document& document, const ViewSettings& view, const 
         restart(document, key);
         seen_version_ = key_version_;
     } else if (rows_done_ == order_.size() && seen_version_ != key_version_) {
-        if (grows && start - last_sweep_end_s_ < rest_after_sweep * sweep_cost_s_) return false;
+        if (grows && start - last_sweep_end_s_ < std::max(least_rest_s, rest_after_sweep * sweep_cost_s_)) return false;
         rows_done_ = 0;
         sweep_cost_s_ = 0.0;
         seen_version_ = key_version_;
