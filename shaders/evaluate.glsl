@@ -36,6 +36,7 @@ MapPixel empty(int state) {
 
 // evaluate_light of engine/maps/evaluate.cpp.
 MapPixel evaluate(Light light) {
+    if (quantity == quantity_poincare) return empty(state_undefined);  // of one picture
     if (!is_measured) return empty(state_not_measured);
     if (quantity == quantity_intensity) return d65 == 0.0 ? empty(state_undefined) : number(light.stokes.x / d65);
     if (quantity == quantity_residual) return number(light.residual);

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/contract.h"
-#include "core/vec.h"
 #include "film/picture_error.h"
 #include "maps/color_picture.h"
 #include "polarization/coherence_matrix.h"
@@ -54,13 +53,6 @@ private:
     double weights_ = 0.0;
     std::vector<double> errors_;
 };
-
-/// Half the angle between two states on the Poincare sphere, from the cross product too: acos loses half the digits.
-double half_poincare_angle(const Stokes<double>& a, const Stokes<double>& b) {
-    const DVec3 u(a.s1, a.s2, a.s3);
-    const DVec3 v(b.s1, b.s2, b.s3);
-    return 0.5 * std::atan2(std::sqrt(length2(cross(u, v))), dot(u, v));
-}
 
 /// A relative error: of nothing, nothing is 0 and anything else infinite.
 double relative(double error, double unit) {

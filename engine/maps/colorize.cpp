@@ -46,7 +46,7 @@ ColorScale color_scale(Quantity quantity, bool is_difference, MapStyle style, Sc
 MapRange range_for(Quantity quantity, bool is_difference, const MapOptions& options, double low, double high) {
     if (options.range) return *options.range;
     const QuantityInfo& about = info(quantity);
-    if (about.kind == ScaleKind::cyclic) return {about.low, about.high};
+    if (about.kind == ScaleKind::cyclic || about.of_two) return {about.low, about.high};
     if (is_difference) {
         const double largest = std::max(std::abs(low), std::abs(high));
         const double reach = largest > 0.0 ? largest : 1.0;
@@ -61,6 +61,7 @@ MapRange range_for(Quantity quantity, bool is_difference, const MapOptions& opti
 
 ScaleKind kind_of(Quantity quantity, bool is_difference, const MapRange& range) {
     const QuantityInfo& about = info(quantity);
+    if (about.of_two) return about.kind;
     if (about.kind != ScaleKind::cyclic) return is_difference ? ScaleKind::diverging : about.kind;
     if (range.low == about.low && range.high == about.high) return ScaleKind::cyclic;
     return is_difference ? ScaleKind::diverging : ScaleKind::sequential;

@@ -13,4 +13,8 @@ namespace pol {
 /// difference of polarization. Requires: quantity is not `color`.
 MapPixel difference(Quantity quantity, const MapPixel& a, const MapPixel& b);
 
+/// Quantity::poincare: half the angle between two states on the Poincare sphere, 0 to 90 degrees; at the smaller weight
+/// where both states are defined, else as difference() has it. Nothing but rounding is 0.
+MapPixel poincare_distance(const PixelLight& a, const PixelLight& b);
+
 }  // namespace pol

@@ -64,6 +64,7 @@ Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>&
         case Quantity::intensity:
         case Quantity::residual:
         case Quantity::unphysical:
+        case Quantity::poincare:
             break;
     }
     POL_EXPECTS(false);
@@ -102,6 +103,7 @@ std::string_view unit_of(Quantity quantity, const Band& band) {
 MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) {
     POL_EXPECTS(quantity != Quantity::color);
     if (!light.known.has(info(quantity).needs)) return empty(PixelState::not_measured);
+    if (info(quantity).of_two) return empty(PixelState::undefined);
     const Stokes<double>& s = light.stokes;
     if (quantity == Quantity::intensity) return number(s.s0 / d65);
     if (quantity == Quantity::residual) return number(light.residual);
@@ -168,6 +170,7 @@ std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quan
         case Quantity::ellipticity_error:
         case Quantity::azimuth_error:
         case Quantity::unphysical:
+        case Quantity::poincare:
             return std::nullopt;
     }
     return std::nullopt;

@@ -201,7 +201,23 @@ constexpr std::array<QuantityInfo, quantity_count> table{{
      .needs = StokesComponents::s0(),
      .has_bar = false,
      .rounding_size = 0.0},
+    {.quantity = Quantity::poincare,
+     .name = "poincare",
+     .title = "Poincar\u00e9 distance",
+     .definition =
+         "half the angle between the two states on the Poincar\u00e9 sphere: the angle between the lines of two "
+         "linear states, 90 degrees for opposite ones; azimuth and ellipticity in one number",
+     .group = MapGroup::pair,
+     .unit = "\u00b0",
+     .kind = ScaleKind::sequential,
+     .high = 90.0,
+     .carrier = Carrier::polarized_part,
+     .has_bar = false,
+     .of_two = true,
+     .rounding_size = 90.0},
 }};
+/// Of two pictures are the last ones.
+constexpr std::size_t of_one = static_cast<std::size_t>(Quantity::poincare);
 
 constexpr bool rows_follow_the_enumeration() {
     for (std::size_t i = 0; i < table.size(); ++i)
@@ -213,7 +229,11 @@ static_assert(rows_follow_the_enumeration());
 }  // namespace
 
 std::span<const QuantityInfo> quantities() {
-    return table;
+    return std::span(table).first(of_one);
+}
+
+std::span<const QuantityInfo> pair_quantities() {
+    return std::span(table).subspan(of_one);
 }
 
 const QuantityInfo& info(Quantity quantity) {
@@ -222,14 +242,15 @@ const QuantityInfo& info(Quantity quantity) {
 }
 
 std::optional<Quantity> quantity_named(std::string_view name) {
-    for (const QuantityInfo& entry : table) {
+    for (const QuantityInfo& entry : quantities()) {
         if (entry.name == name) return entry.quantity;
     }
     return std::nullopt;
 }
 
 Quantity nearest_quantity(std::string_view name) {
-    return std::min_element(table.begin(), table.end(),
+    const auto all = quantities();
+    return std::min_element(all.begin(), all.end(),
                             [name](const QuantityInfo& a, const QuantityInfo& b) {
                                 return edit_distance(name, a.name) < edit_distance(name, b.name);
                             })

@@ -32,8 +32,9 @@ enum class Quantity : std::uint8_t {
     ellipticity_error,
     azimuth_error,
     unphysical,
+    poincare,  ///< of two pictures, as the next ones would be
 };
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::unphysical) + 1;
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::poincare) + 1;
 
 /// What kind of color scale does a quantity justice.
 enum class ScaleKind : std::uint8_t {
@@ -50,6 +51,7 @@ enum class MapGroup : std::uint8_t {
     polarization,  ///< measures of its state: rows of the window's page of a pixel, too
     stokes,        ///< components
     trust,         ///< how well all that is known
+    pair,          ///< how far two pictures are apart
 };
 
 /// The part of the light that has the property. Where it is missing the map is undefined.
@@ -85,6 +87,7 @@ struct QuantityInfo {
     StokesComponents needs = StokesComponents::all();
     bool has_bar = true;         ///< false: exact, or a bound itself
     bool is_over_d65 = false;    ///< an amount of light, in units of CIE D65 at the wavelength (unit_of)
+    bool of_two = false;         ///< how far two pictures are apart; of a single one it is undefined
     double rounding_size = 1.0;  ///< beside what a value can be nothing but rounding; 0: every digit counts
 
     /// Fades as the part of the light that has the property vanishes.
@@ -92,11 +95,14 @@ struct QuantityInfo {
     [[nodiscard]] constexpr std::string_view title_in_list() const { return list_title.empty() ? title : list_title; }
 };
 
-/// All quantities, in the order of the enumeration; those of a group follow each other.
+/// All quantities of one picture, in the order of the enumeration; those of a group follow each other.
 std::span<const QuantityInfo> quantities();
+/// Those that need two (difference.h).
+std::span<const QuantityInfo> pair_quantities();
 
 const QuantityInfo& info(Quantity quantity);
 
+/// One of quantities().
 std::optional<Quantity> quantity_named(std::string_view name);
 
 /// The quantity whose name takes the fewest edits to get from `name` (Levenshtein); the first one if several do.

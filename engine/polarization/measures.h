@@ -100,6 +100,14 @@ inline double line_angle(double a, double b) {
     return std::min(apart, pi - apart);
 }
 
+/// Half the angle between two states on the Poincare sphere, 0 to pi/2; from the cross product too: acos loses half the
+/// digits. Of light without polarization it is 0.
+inline double half_poincare_angle(const Stokes<double>& a, const Stokes<double>& b) {
+    const DVec3 u(a.s1, a.s2, a.s3);
+    const DVec3 v(b.s1, b.s2, b.s3);
+    return 0.5 * std::atan2(std::sqrt(length2(cross(u, v))), dot(u, v));
+}
+
 /// Tip of the field of fully polarized light of power 1 at the phase omega t, Re[E exp(-i omega t)] in the frame (x,
 /// y); phase 0 is an end of the major axis. Right-handed light (chi > 0) turns clockwise for the receiver, who sees y a
 /// quarter turn counter-clockwise from x. Angles in radians.

@@ -73,7 +73,8 @@ std::string label_of(const Band& band) {
 std::string title_of(const ColoredMap& map) {
     const std::string_view title = info(map.quantity).title;
     if (map.quantity == Quantity::color) return std::string(title);
-    return fmt::format("{}{}, {}", title, map.is_difference ? ", difference" : "", label_of(map.band));
+    return fmt::format("{}{}, {}", title, map.is_difference && !info(map.quantity).of_two ? ", difference" : "",
+                       label_of(map.band));
 }
 
 /// Positions in pixels of the canvas. Everything but the picture scales with `unit`, so that the legend of a large

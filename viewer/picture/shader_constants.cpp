@@ -22,7 +22,8 @@ std::string flag(std::string_view name, bool value) {
 
 std::string shader_constants(Quantity quantity) {
     std::string text;
-    for (const QuantityInfo& each : quantities()) text += number("quantity_" + std::string(each.name), each.quantity);
+    for (const auto rows : {quantities(), pair_quantities()})
+        for (const QuantityInfo& each : rows) text += number("quantity_" + std::string(each.name), each.quantity);
     text += number("state_defined", PixelState::defined);
     text += number("state_no_light", PixelState::no_light);
     text += number("state_undefined", PixelState::undefined);
