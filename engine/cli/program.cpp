@@ -70,7 +70,8 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 done; 1 defect of this program, or a fact that fails; 2 usage; 3 scene or asset; 4 output;\n"
-        "5 self-check failed (energy, not-a-number), or pictures differ; 10 time limit before the samples asked for; 33 out of memory; "
+        "5 self-check failed (energy, not-a-number), or pictures differ; 10 time limit before the samples asked for; "
+        "33 out of memory; "
         "130, 141, 143 stopped.\n"
         "\nExample:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr\n"

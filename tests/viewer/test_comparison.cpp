@@ -96,8 +96,10 @@ TEST(Comparison, SaysWhyItIsNotPossible) {
 
     StokesImage elsewhere = known_picture();
     elsewhere.left = 8;
+    elsewhere.whole_width = 24;
+    elsewhere.whole_height = 12;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, elsewhere));
-    EXPECT_NE(session.compare().error().what.find("begins at pixel 8,0 of its picture"), std::string::npos);
+    EXPECT_NE(session.compare().error().what.find("has 24 x 12 pixels"), std::string::npos) << "of another whole";
 
     StokesImage small;
     small.width = small.height = 1;
@@ -105,6 +107,172 @@ TEST(Comparison, SaysWhyItIsNotPossible) {
     small.stokes = {{1.0, 0.0, 0.0, 0.0}};
     ASSERT_NO_FATAL_FAILURE(open_picture(session, small));
     EXPECT_NE(session.compare().error().what.find("1 x 1"), std::string::npos);
+}
+
+// Sample of cases/02: crop.exr is columns 4 to 11, rows 3 to 8 of plain.exr.
+TEST(Comparison, OfAPartWithTheWholeIsThatOfThePixelsBothHave) {
+    const std::string samples = std::string(POL_TESTS_DIR) + "/data/pictures/cases/";
+    Session session;
+    ASSERT_TRUE(session.open(samples + "plain.exr"));
+    session.set_reference();
+    ASSERT_TRUE(session.open(samples + "crop.exr"));
+    session.change_view().difference = true;
+    for (const Quantity quantity : {Quantity::intensity, Quantity::s1, Quantity::azimuth, Quantity::poincare}) {
+        session.show(quantity);
+        ASSERT_TRUE(session.comparison());
+        session.finish_shown_map();
+        const MapSummary& found = session.shown_map().summary();
+        EXPECT_EQ(found.pixels, 8U * 6U);
+        EXPECT_GT(found.state[static_cast<std::size_t>(PixelState::defined)], 0U);
+        EXPECT_EQ(found.low, 0.0) << info(quantity).name;
+        EXPECT_EQ(found.high, 0.0) << info(quantity).name;
+    }
+    session.set_reference();
+    session.step_document(1);
+    session.show(Quantity::intensity);
+    ASSERT_TRUE(session.comparison());
+    session.finish_shown_map();
+    const StokesImage& whole = session.current()->picture();
+    ASSERT_EQ(whole.width, 16);
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const bool is_shared = x >= 4 && x <= 11 && y >= 3 && y <= 8;
+            EXPECT_EQ(session.shown_map().states()[whole.pixel(x, y)],
+                      is_shared ? PixelState::defined : PixelState::undefined)
+                << x << "," << y;
+        }
+    }
+}
+
+TEST(Comparison, OfPartsThatShareNoPixelIsNotPossible) {
+    Session session;
+    StokesImage part = known_picture();
+    part.whole_width = 40;
+    part.whole_height = 12;
+    session.open_picture(part, "left");
+    session.set_reference();
+    part.left = 16;
+    session.open_picture(part, "right");
+    EXPECT_NE(session.compare().error().what.find("share no pixel"), std::string::npos);
+    part.left = 15;
+    session.open_picture(part, "overlapping");
+    EXPECT_TRUE(session.compare());
+}
+
+/// One pixel of each light, against one of another.
+double poincare_of(const Stokes<double>& a, const Stokes<double>& b) {
+    PixelLight light_a;
+    PixelLight light_b;
+    light_a.stokes = a;
+    light_b.stokes = b;
+    const MapPixel found = poincare_distance(light_a, light_b);
+    return found.state == PixelState::defined ? found.value : -1.0;
+}
+
+// Half the angle on the sphere: that of the lines for linear states, 45 degrees from linear to circular, 90 to the
+// opposite state, whatever intensity and degree of polarization are.
+TEST(Poincare, DistanceIsHalfTheAngleOnTheSphere) {
+    const auto linear = [](double degrees) {
+        return polarized_light(2.0, 0.5, degrees * 3.141592653589793 / 180.0, 0.0);
+    };
+    EXPECT_NEAR(poincare_of(linear(10.0), linear(40.0)), 30.0, 1e-12);
+    EXPECT_NEAR(poincare_of(linear(85.0), linear(-85.0)), 10.0, 1e-12) << "90 and -90 degrees are one line";
+    EXPECT_NEAR(poincare_of(linear(0.0), linear(90.0)), 90.0, 1e-12);
+    EXPECT_NEAR(poincare_of(linear(20.0), {1.0, 0.0, 0.0, 1.0}), 45.0, 1e-12);
+    EXPECT_NEAR(poincare_of({1.0, 0.0, 0.0, 1.0}, {3.0, 0.0, 0.0, -2.0}), 90.0, 1e-12);
+    EXPECT_EQ(poincare_of({1.0, 0.3, 0.4, 0.5}, {2.0, 0.6, 0.8, 1.0}), 0.0) << "the same state";
+    EXPECT_EQ(poincare_of({1.0, 0.0, 0.0, 0.0}, linear(0.0)), -1.0) << "no state, no distance";
+}
+
+TEST(Poincare, IsShownAsADifferenceAtOnceAndNeedsAReference) {
+    Session session;
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+    session.show(Quantity::poincare);
+    EXPECT_FALSE(session.comparison());
+    EXPECT_NE(session.log().lines().back().text.find("no reference"), std::string::npos);
+    session.finish_shown_map();
+    EXPECT_EQ(session.shown_map().summary().state[static_cast<std::size_t>(PixelState::defined)], 0U);
+    session.set_reference();
+    StokesImage turned = known_picture();
+    for (Stokes<double>& s : turned.stokes) s = {s.s0, -s.s2, s.s1, s.s3};  // by 45 degrees
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, turned));
+    ASSERT_TRUE(session.comparison());
+    EXPECT_EQ(map_look(session).kind, ScaleKind::sequential);
+    EXPECT_EQ(map_look(session).range.low, 0.0);
+    EXPECT_EQ(map_look(session).range.high, 90.0);
+    session.finish_shown_map();
+    const StokesImage& picture = session.current()->picture();
+    const Stokes<double>& s = picture.at(0, picture.pixel(9, 9));
+    // Between (r cos u, r sin u, z) and the same turned by a quarter the cosine is z^2 / (r^2 + z^2).
+    const double cosine = s.s3 * s.s3 / (s.s1 * s.s1 + s.s2 * s.s2 + s.s3 * s.s3);
+    const double expected = 0.5 * std::acos(cosine) * 180.0 / 3.141592653589793;
+    EXPECT_NEAR(session.shown_map().values()[picture.pixel(9, 9)], expected, 1e-5) << "32-bit floats";
+    session.toggle_difference();
+    EXPECT_FALSE(session.comparison());
+    EXPECT_FALSE(info(session.view().quantity).of_two) << "of one picture there is none";
+}
+
+// 89 and -89 degrees are 2 degrees apart.
+TEST(Comparison, OfAzimuthsKnowsTheWrap) {
+    Session session;
+    StokesImage image = known_picture();
+    const double degree = 3.141592653589793 / 180.0;
+    for (Stokes<double>& s : image.stokes) s = polarized_light(1.0, 1.0, -89.0 * degree, 0.0);
+    image.residual.assign(image.pixel_count(), 0.0);
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    session.set_reference();
+    for (Stokes<double>& s : image.stokes) s = polarized_light(1.0, 1.0, 89.0 * degree, 0.0);
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    session.show(Quantity::azimuth);
+    session.toggle_difference();
+    session.finish_shown_map();
+    for (const double value : session.shown_map().values()) EXPECT_NEAR(value, -2.0, 1e-4) << "32-bit floats";
+    EXPECT_EQ(map_look(session).kind, ScaleKind::cyclic);
+    EXPECT_EQ(map_look(session).scale, ColorScale::cyclic);
+}
+
+TEST(Layout, ShowsBothPicturesAsTheyAre) {
+    Session session;
+    session.toggle_layout(CompareLayout::wipe);
+    EXPECT_EQ(session.layout(), CompareLayout::single);
+    EXPECT_NE(session.log().lines().back().text.find("no reference"), std::string::npos);
+    ASSERT_NO_FATAL_FAILURE(open_two(session));
+    session.show(Quantity::dop);
+    session.toggle_difference();
+    EXPECT_FALSE(session.side(PictureSide::reference));
+    EXPECT_TRUE(session.side(PictureSide::current)->is_difference);
+    session.toggle_layout(CompareLayout::wipe);
+    EXPECT_FALSE(session.comparison());
+    EXPECT_EQ(session.layout(), CompareLayout::wipe);
+    ASSERT_TRUE(session.side(PictureSide::reference));
+    EXPECT_EQ(session.side(PictureSide::reference)->document, session.reference());
+    EXPECT_FALSE(session.side(PictureSide::current)->is_difference);
+    session.toggle_layout(CompareLayout::side_by_side);
+    EXPECT_EQ(session.layout(), CompareLayout::side_by_side);
+    session.step_document(1);
+    EXPECT_EQ(session.layout(), CompareLayout::single) << "the reference alone";
+    session.step_document(1);
+    EXPECT_EQ(session.layout(), CompareLayout::side_by_side);
+    session.toggle_difference();
+    EXPECT_EQ(session.layout(), CompareLayout::single);
+    session.toggle_layout(CompareLayout::wipe);
+    session.toggle_layout(CompareLayout::wipe);
+    EXPECT_EQ(session.layout(), CompareLayout::single);
+}
+
+TEST(Layout, ShowsTheSameBandOfTheReference) {
+    Session session;
+    StokesImage image = known_picture();
+    image.bands = bands_at({600.0, 700.0});
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, image));
+    session.set_reference();
+    ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+    session.change_view().band = 1;  // 600 nm
+    session.toggle_layout(CompareLayout::wipe);
+    ASSERT_TRUE(session.side(PictureSide::reference));
+    EXPECT_EQ(session.side(PictureSide::reference)->band, 0U);
+    session.change_view().band = 0;
+    EXPECT_EQ(session.layout(), CompareLayout::single) << "the reference has no 500 nm";
 }
 
 TEST(Comparison, EndsWhenTheReferenceIsClosed) {

@@ -368,5 +368,46 @@ TEST_F(Picture, PixelsWithoutASampleAreBackground) {
     EXPECT_EQ(drawn_at_1_to_1().pixels[10], (Rgb8{26, 26, 26}));
 }
 
+TEST_F(Picture, OfTheReferenceIsThatOfItsOwnFilmInTheSameMap) {
+    session_.set_reference();
+    StokesImage other = known_film();
+    for (Stokes<double>& s : other.stokes) s = {1.25 * s.s0, 0.5 * s.s1, s.s3, 0.5 * s.s2};
+    open(other);
+    auto reference = PictureRenderer::create(PictureSide::reference);
+    ASSERT_TRUE(reference) << to_string(reference.error());
+    renderer_ = std::move(reference).value();
+    session_.show(Quantity::dop);
+    session_.change_view().band = 0;
+    const Rgb8 ground = drawn_at_1_to_1().pixels.front();
+    for (const Rgb8& pixel : drawn_at_1_to_1().pixels)
+        ASSERT_EQ(pixel, ground) << "nothing is shown beside the picture";
+    session_.toggle_layout(CompareLayout::wipe);
+    ASSERT_EQ(session_.layout(), CompareLayout::wipe);
+    expect_same(drawn_at_1_to_1(), expected_of(session_.reference()->picture(), session_.view()));
+}
+
+// Sample of cases/02: crop.exr is columns 4 to 11, rows 3 to 8 of a picture of 16 x 12.
+TEST_F(Picture, OfAPartLiesWhereItIsInTheWhole) {
+    ASSERT_TRUE(session_.open(std::string(POL_TESTS_DIR) + "/data/pictures/cases/crop.exr"));
+    session_.show(Quantity::intensity);
+    session_.change_view().band = 0;
+    session_.change_transform() = {};
+    const RgbPicture whole = drawn(16, 12);
+    const RgbPicture part = expected_of(film(), session_.view());
+    ASSERT_EQ(part.width, 8);
+    RgbPicture found{8, 6, {}};
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const Rgb8& pixel = whole.pixels[static_cast<std::size_t>(16 * y + x)];
+            const bool is_in_it = x >= 4 && x < 12 && y >= 3 && y < 9;
+            if (is_in_it)
+                found.pixels.push_back(pixel);
+            else
+                EXPECT_EQ(pixel, whole.pixels.front()) << x << "," << y;
+        }
+    }
+    expect_same(found, part);
+}
+
 }  // namespace
 }  // namespace pol

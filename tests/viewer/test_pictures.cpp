@@ -210,8 +210,8 @@ TEST_F(PictureList, SaysSizePlaceAndBandsAndMarksTheReference) {
     ASSERT_NO_FATAL_FAILURE(open_picture(window.session, part_of_known_picture()));
     PicturesPanel panel;
     const std::string text = window.text_of([&] { panel.draw(window.session, window.wishes); });
-    EXPECT_NE(text.find("reference, 16 x 12, 2 bands"), std::string::npos) << text;
-    EXPECT_NE(text.find("12 x 9 at 4,3 of 16 x 12, 2 bands"), std::string::npos) << text;
+    EXPECT_NE(text.find("reference, 16 x 12 pixels, 2 bands"), std::string::npos) << text;
+    EXPECT_NE(text.find("12 x 9 pixels from 4,3 of 16 x 12, 2 bands"), std::string::npos) << text;
 }
 
 TEST(Thumbnail, IsTheMeanOfThePixelsUnderEachOfItsOwn) {

@@ -66,8 +66,14 @@ bool is_tracing(const Session& session) {
 
 class EventLoop {
 public:
-    EventLoop(WindowLibrary& library, AppWindow& window, Session& session, PictureRenderer& picture, AppProbe* probe)
-        : library_(library), window_(window), session_(session), picture_(picture), probe_(probe) {}
+    EventLoop(WindowLibrary& library, AppWindow& window, Session& session, PictureRenderer& picture,
+              PictureRenderer& reference, AppProbe* probe)
+        : library_(library),
+          window_(window),
+          session_(session),
+          picture_(picture),
+          reference_(reference),
+          probe_(probe) {}
 
     void run(const PendingSignals& signals) {
         while (!session_.window().ended) {
@@ -115,11 +121,13 @@ private:
         library_.clear_wake();
         session_.update();
         picture_.upload(session_);
+        reference_.upload(session_);
         // Asked for in a frame before this one, whose menu was still open.
         const bool is_wanted = !session_.wanted_window_picture().empty();
         Frame frame;
         frame.ui_scale = window_.begin_frame();
         frame.picture_texture = texture_;
+        frame.reference_texture = reference_texture_;
         // A test asks for what follows from all that it has done.
         AppProbe* asked = window_.input_waits() ? nullptr : probe_;
         if (asked != nullptr) asked->begin();
@@ -131,6 +139,8 @@ private:
         const double ratio = window_.pixel_ratio();
         const auto pixels = [ratio](double points) { return std::max(1, static_cast<int>(points * ratio)); };
         texture_ = picture_.render(session_, pixels(frame.viewport.size.x), pixels(frame.viewport.size.y), ratio);
+        const DVec2& beside = frame.reference_viewport.size;
+        if (beside.x > 0.0) reference_texture_ = reference_.render(session_, pixels(beside.x), pixels(beside.y), ratio);
         window_.follow(session_);
         if (is_wanted)
             window_.end_frame([&](RgbPicture picture) { write_window(session_, std::move(picture)); });
@@ -150,10 +160,12 @@ private:
     AppWindow& window_;
     Session& session_;
     PictureRenderer& picture_;
+    PictureRenderer& reference_;
     AppProbe* probe_;
     Interface interface_;
     FramePacer pacer_;
     std::uint32_t texture_ = 0;
+    std::uint32_t reference_texture_ = 0;
     std::optional<double> input_at_;  // first input that no frame has answered yet
 };
 
@@ -194,9 +206,10 @@ Result<Done> run_app(const std::vector<FileToOpen>& files, const AppOptions& opt
     POL_TRY_DONE(open_all(session, files));
     POL_TRY(auto window, AppWindow::open(session, options));
     POL_TRY(auto picture, PictureRenderer::create());
+    POL_TRY(auto reference, PictureRenderer::create(PictureSide::reference));
     std::optional<AppProbe> probe;
     if (!options.probe.empty()) probe.emplace(options.probe);
-    EventLoop(*library.value(), *window, session, *picture, probe ? &*probe : nullptr).run(signals);
+    EventLoop(*library.value(), *window, session, *picture, *reference, probe ? &*probe : nullptr).run(signals);
     if (remembered.empty()) return Done{};
     // Nothing of the user's work: no reason to fail.
     if (const auto written = write_preferences(preferences_of(session), remembered); !written)

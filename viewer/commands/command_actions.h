@@ -61,7 +61,7 @@ bool shows_map(const Session& session) {
 }
 template <int by>
 void step_map(Session& session) {
-    constexpr int count = static_cast<int>(quantity_count);
+    const int count = static_cast<int>(quantities().size());
     session.show(static_cast<Quantity>((static_cast<int>(session.view().quantity) + by + count) % count));
 }
 
@@ -77,6 +77,15 @@ void use_style(Session& session) {
 template <MapStyle style>
 bool uses_style(const Session& session) {
     return session.view().style == style;
+}
+
+template <CompareLayout layout>
+void toggle_layout(Session& session) {
+    session.toggle_layout(layout);
+}
+template <CompareLayout layout>
+bool has_layout(const Session& session) {
+    return session.layout() == layout;
 }
 
 template <std::size_t number>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Long because it is one table.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -62,7 +63,10 @@ constexpr std::array command_table{
     Command{"File", "Save map (PNG)", ctrl(letter('E')),
             "Writes the map on screen with color bar and legend, in its range, style, convention and behind the "
             "polarimeter.",
-            export_map, is_open},
+            [](Session& s) { export_map(s); }, is_open},
+    Command{"File", "Copy picture", ctrl(letter('C')),
+            "Writes the map as PNG and copies the file's path: the window's clipboard takes texts only.",
+            [](Session& s) { s.copy(export_map(s).string()); }, is_open},
     Command{"File", "Save window (PNG)", ctrl_shift(letter('E')), "Writes the whole window as it is.", export_window},
     Command{
         "File",
@@ -205,12 +209,46 @@ constexpr std::array command_table{
     Command{"Compare",
             "Difference from the reference",
             {letter('X')},
-            "The map minus that of the reference picture, or the map itself again.",
+            "The map minus that of the reference picture where both have a pixel, or the map itself again.",
             [](Session& s) { s.toggle_difference(); },
             is_open,
             {},
             false,
             [](const Session& s) { return s.comparison().has_value(); }},
+    Command{"Compare",
+            "Wipe",
+            {letter('W')},
+            "The reference left of a line that can be dragged, the picture right of it.",
+            toggle_layout<CompareLayout::wipe>,
+            is_open,
+            {},
+            false,
+            has_layout<CompareLayout::wipe>},
+    Command{"Compare",
+            "Side by side",
+            shift(letter('W')),
+            "The reference beside the picture, at the same place.",
+            toggle_layout<CompareLayout::side_by_side>,
+            is_open,
+            {},
+            false,
+            has_layout<CompareLayout::side_by_side>},
+    Command{
+        "Compare",
+        "Worst pixel",
+        {letter('J')},
+        "Pins the pixel that differs most from the reference, or the most unphysical one if no difference is shown.",
+        [](Session& s) { s.pin_worst(); },
+        is_open},
+    Command{"Compare",
+            "Ask the convention doctor",
+            {letter('V')},
+            "Says in the log which convention makes this picture from the reference.",
+            [](Session& s) { s.ask_doctor(false); },
+            has_reference},
+    Command{"Compare", "Take the numbers as the doctor says", shift(letter('V')),
+            "Handedness, azimuth zero and y of a picture from a file, by the convention doctor; undone in its header.",
+            [](Session& s) { s.ask_doctor(true); }, has_reference},
 
     Command{"View", "Fit", {letter('F')}, "The whole picture, as large as it can be.", fit_picture, is_open},
     Command{"View", "One to one", ctrl(letter('0')), "One pixel of the picture per point of the screen.", one_to_one,
@@ -296,6 +334,8 @@ constexpr std::array command_table{
     Command{"Pixel", "Move pin right", {Key::right}, "Pins the neighboring pixel.", nudge<1, 0>, is_pinned, {}, true},
     Command{"Pixel", "Move pin up", {Key::up}, "Pins the neighboring pixel.", nudge<0, -1>, is_pinned, {}, true},
     Command{"Pixel", "Move pin down", {Key::down}, "Pins the neighboring pixel.", nudge<0, 1>, is_pinned, {}, true},
+    Command{"Pixel", "Go to pixel...", ctrl(letter('G')), "Type column and row, such as 12,7, of the whole picture.",
+            toggle<&WindowState::go_to_visible>, is_open},
     Command{"Pixel",
             "Close or release",
             {Key::escape},
@@ -372,7 +412,7 @@ std::array<Command, sizeof...(i)> map_commands(std::index_sequence<i...> /*all*/
 
 std::vector<Command> all_commands() {
     std::vector<Command> all(command_table.begin(), command_table.end());
-    const auto maps = map_commands(std::make_index_sequence<quantity_count>());
+    const auto maps = map_commands(std::make_index_sequence<quantity_count>());  // those of two pictures, too
     const auto menu =
         std::find_if(all.begin(), all.end(), [](const Command& command) { return command.group == "Map"; });
     all.insert(menu, maps.begin(), maps.end());

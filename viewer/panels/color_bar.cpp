@@ -34,7 +34,8 @@ std::string title_of(const Session& session) {
     const std::string_view in = unit_of(about.quantity, band);
     const std::string unit = in.empty() || in == "\u00b0" ? "" : fmt::format(" ({})", in);
     const auto comparison = session.comparison();
-    const std::string minus = comparison ? " minus that of " + comparison->reference->name() : "";
+    const std::string_view how = about.of_two ? " from " : " minus that of ";
+    const std::string minus = comparison ? std::string(how) + comparison->reference->name() : "";
     const Convention& convention = session.view().convention;
     const bool is_other = convention.stokes_text() != Convention{}.stokes_text();
     const std::string labels = is_other && depends_on_convention(about.quantity) ? ", " + convention.stokes_text() : "";

@@ -33,6 +33,9 @@ std::string first_line(const Session& session, const PixelReadout& readout, bool
     if (session.comparison()) {
         const ShownQuantity both = session.shown_quantity();
         const std::size_t pixel = session.current()->picture().pixel(readout.address.x, readout.address.y);
+        if (info(quantity).of_two)
+            return fmt::format("{}  {} from {}: {}  {}{}", place, info(quantity).title, session.reference()->name(),
+                               readout_text(quantity, both.readout(pixel)), band, polarimeter);
         return fmt::format("{}  {} {} minus {}: {}  {}{}", place, info(quantity).title,
                            value_text(quantity, both.own(pixel), 6), value_text(quantity, both.of_reference(pixel), 6),
                            readout_text(quantity, both.readout(pixel)), band, polarimeter);

@@ -123,6 +123,11 @@ void Interface::draw_tabs(const Session& session, Wishes& wishes, Stack stack) {
     const bool upper = stack != Stack::lower;
     const bool lower = stack != Stack::upper;
     tab(upper, "Pixel", [&] { pixel_.draw(session, wishes); });
+    const bool compares = session.selection().region || session.documents().size() > 1;
+    tab(upper && compares, "Compare", [&] {
+        section("Region", [&] { region_.draw(session, wishes); });
+        section("Convention", [&] { doctor_.draw(session, wishes); });
+    });
     const bool is_picture = session.current() != nullptr && !session.current()->has_scene();
     // One tab, which stays open when the document changes.
     tab(upper, is_picture ? "Picture###Scene" : "Scene###Scene", [&] { scene_.draw(session, wishes); });
@@ -145,6 +150,7 @@ void Interface::draw_overlays(const Session& session, Wishes& wishes) {
     palette_.draw(session, wishes);
     open_dialog_.draw(session, wishes);
     save_as_dialog_.draw(session, wishes);
+    go_to_dialog_.draw(session, wishes);
     draw_unsaved_dialog(session, wishes);
     draw_rewrite_dialog(session, wishes);
     draw_layout_dialog(session, wishes);
@@ -163,6 +169,7 @@ Wishes Interface::draw(const Session& session, Frame& frame) {
     if (any_popup_open() && !state.popup_open) ImGui::ClosePopupToLevel(0, true);
     if (session.documents().size() < documents_) of_tree_.emplace();
     documents_ = session.documents().size();
+    if (std::exchange(copies_, session.copies()) != session.copies()) ImGui::SetClipboardText(session.copied().c_str());
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const auto scale = static_cast<float>(frame.ui_scale);
     if (!state.panels_visible) {

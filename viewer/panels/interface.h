@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "viewer/panels/command_palette.h"
+#include "viewer/panels/doctor_panel.h"
+#include "viewer/panels/go_to_dialog.h"
 #include "viewer/panels/histogram_panel.h"
 #include "viewer/panels/log_panel.h"
 #include "viewer/panels/maps_panel.h"
@@ -14,6 +16,7 @@
 #include "viewer/panels/pictures_panel.h"
 #include "viewer/panels/pixel_panel.h"
 #include "viewer/panels/ray_table_panel.h"
+#include "viewer/panels/region_panel.h"
 #include "viewer/panels/save_as_dialog.h"
 #include "viewer/panels/scene_panel.h"
 #include "viewer/panels/space_panel.h"
@@ -49,12 +52,15 @@ private:
     void draw_overlays(const Session& session, Wishes& wishes);
 
     PicturesPanel pictures_;
+    RegionPanel region_;
+    DoctorPanel doctor_;
     MapsPanel maps_;
     HistogramPanel histogram_;
     PicturePanel picture_;
     PixelPanel pixel_;
     std::optional<TreePanels> of_tree_{std::in_place};
     std::size_t documents_ = 0;       // that were open in the last frame
+    std::uint64_t copies_ = 0;        // that are in the clipboard
     std::uint64_t facts_opened_ = 0;  // whose pages were brought to the front
     SpherePanel sphere_;
     ScenePanel scene_;
@@ -62,6 +68,7 @@ private:
     CommandPalette palette_;
     OpenDialog open_dialog_;
     SaveAsDialog save_as_dialog_;
+    GoToDialog go_to_dialog_;
     std::optional<Theme> theme_;  // that the style was made for, with theme_scale_
     double theme_scale_ = 0.0;
 };

@@ -19,6 +19,16 @@ namespace {
 void draw_comparison(const Session& session, Wishes& wishes) {
     const Document* reference = session.reference();
     const auto possible = session.compare();
+    for (const QuantityInfo& quantity : pair_quantities()) {
+        const bool is_it = session.view().quantity == quantity.quantity;
+        if (!possible) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+        if (ImGui::Selectable(std::string(quantity.title_in_list()).c_str(), is_it))
+            wishes.add([which = quantity.quantity](Session& s) { s.show(which); });
+        if (!possible) ImGui::PopStyleColor();
+        name_widget("map " + std::string(quantity.name));
+        const std::string lacks = possible ? "" : "\nIt needs a reference: " + possible.error().what;
+        tooltip((std::string(quantity.definition) + lacks).c_str());
+    }
     bool is_shown = session.comparison().has_value();
     if (!possible) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5F * ImGui::GetStyle().Alpha);
     if (ImGui::Checkbox("minus the reference", &is_shown)) wishes.add(&Session::toggle_difference);

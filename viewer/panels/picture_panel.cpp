@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "viewer/panels/hover_readout.h"
 #include "viewer/session/map_look.h"
@@ -23,6 +24,9 @@ constexpr double zoom_per_notch = 1.2;
 constexpr float click_slack = 4.0F;
 constexpr double wheel_radius = 30.0;
 constexpr float strip_padding = 6.0F;
+/// To each side of the line of a wipe, where it can be taken hold of.
+constexpr float wipe_reach = 5.0F;
+constexpr double gap_between_sides = 4.0;
 
 /// Of what the picture on screen has, from its own corner.
 DVec2 extent_of(const Session& session) {
@@ -39,20 +43,73 @@ std::optional<TileRect> touched(const DVec2& a, const DVec2& b, const DVec2& ext
                     static_cast<int>(high.y)};
 }
 
-/// The viewport as an item of the interface, with the picture in it.
-void show_viewport(const Frame& frame) {
-    const ImVec2 origin = point(frame.viewport.origin);
-    const ImVec2 size = point(frame.viewport.size);
-    const ImVec2 end(origin.x + size.x, origin.y + size.y);
-    if (frame.picture_texture != 0)
-        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(frame.picture_texture), origin, end,
-                                             {0.0F, 1.0F}, {1.0F, 0.0F});
-    ImGui::InvisibleButton("viewport", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-    name_widget("picture");
+void show_texture(std::uintptr_t texture, const ViewRect& viewport) {
+    if (texture == 0) return;
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(texture), point(viewport.origin),
+                                         point(viewport.origin + viewport.size), {0.0F, 1.0F}, {1.0F, 0.0F});
+}
+
+/// Which picture that is, in the upper corner on its side.
+void label(const std::string& name, const ViewRect& viewport, bool to_the_right) {
+    constexpr double margin = 8.0;
+    const double width = ImGui::CalcTextSize(name.c_str()).x;
+    const DVec2 at = viewport.origin + DVec2(to_the_right ? viewport.size.x - width - margin : margin, margin);
+    rimmed_text(*ImGui::GetWindowDrawList(), point(glm::round(at)), white_ink, name);
+}
+
+/// The reference left of the line, which can be dragged.
+void draw_wipe(const Session& session, Wishes& wishes, const Frame& frame) {
+    const ViewRect& all = frame.viewport;
+    const double x = std::round(std::clamp(session.view().wipe, 0.0, 1.0) * all.size.x);
+    const ViewRect left{all.origin, {x, all.size.y}};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(point(left.origin), point(left.origin + left.size), true);
+    list.AddRectFilled(point(left.origin), point(left.origin + left.size), rim_color | IM_COL32_A_MASK);
+    show_texture(frame.reference_texture, all);
+    label(session.reference()->name(), left, false);
+    list.PopClipRect();
+    list.PushClipRect(point(all.origin + DVec2(x, 0.0)), point(all.origin + all.size), true);
+    label(session.current()->name(), all, true);
+    list.PopClipRect();
+    const ImVec2 top = point(all.origin + DVec2(x, 0.0));
+    rimmed_line(list, top, {top.x, top.y + static_cast<float>(all.size.y)}, pin_ink);
+    ImGui::SetCursorScreenPos({top.x - wipe_reach, top.y});
+    ImGui::InvisibleButton("wipe", {2.0F * wipe_reach, static_cast<float>(all.size.y)});
+    name_widget("wipe");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    const double wanted = std::clamp((ImGui::GetIO().MousePos.x - all.origin.x) / all.size.x, 0.0, 1.0);
+    if (ImGui::IsItemActive() && wanted != session.view().wipe) wishes.set(&ViewSettings::wipe, wanted);
+}
+
+/// What takes the mouse: the viewport, and the reference's beside it.
+void place_viewport(const char* name, const ViewRect& viewport) {
+    ImGui::SetCursorScreenPos(point(viewport.origin));
+    ImGui::InvisibleButton(name, point(viewport.size),
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    name_widget(name);
 }
 
 void wish_camera(const Session& session, Wishes& wishes, const Camera& camera, const char* label) {
     wishes.add([of = session.current(), camera, label](Session& s) { s.move_camera(of, camera, label); });
+}
+
+/// The cursor's place and the pins on the reference, and the cursor's on the picture if it is on the reference.
+void draw_pointers(const Session& session, const PlacedPicture& placed, const ViewRect& beside) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const PlacedPicture other{beside, placed.transform};
+    const double half = std::max(4.0, 0.5 * placed.transform.scale);
+    const auto box = [&](const PlacedPicture& where, const PixelAddress& pixel, ImU32 color) {
+        const DVec2 center = where.window_from_picture({pixel.x + 0.5, pixel.y + 0.5});
+        list.PushClipRect(point(where.viewport.origin), point(where.viewport.origin + where.viewport.size), true);
+        list.AddRect(point(center - half), point(center + half), rim_color, 0.0F, 0, 3.5F);
+        list.AddRect(point(center - half), point(center + half), color, 0.0F, 0, 1.5F);
+        list.PopClipRect();
+    };
+    const Selection& selection = session.selection();
+    for (const PixelAddress& pin : selection.pins) box(other, pin, pin == selection.pinned() ? pin_ink : white_ink);
+    if (!selection.hovered) return;
+    const bool is_on_reference = ImGui::GetIO().MousePos.x < placed.viewport.origin.x;
+    box(is_on_reference ? placed : other, *selection.hovered, white_ink);
 }
 
 void invite(const ViewRect& viewport) {
@@ -71,19 +128,47 @@ void PicturePanel::draw(const Session& session, Wishes& wishes, Frame& frame) {
     const bool has_strip = session.window().panels_visible && session.current() != nullptr;
     const float strip = has_strip ? color_bar_height() + hover_readout_height() + 2.0F * strip_padding : 0.0F;
     frame.viewport = {{origin.x, origin.y}, {std::max(1.0F, size.x), std::max(1.0F, size.y - strip)}};
-    show_viewport(frame);
+    frame.reference_viewport = {};
+    const CompareLayout layout = session.layout();
+    if (layout == CompareLayout::wipe) frame.reference_viewport = frame.viewport;
+    if (layout == CompareLayout::side_by_side) {
+        ViewRect& left = frame.reference_viewport;
+        left = frame.viewport;
+        left.size.x = std::max(1.0, std::floor(0.5 * (left.size.x - gap_between_sides)));
+        frame.viewport.size.x = left.size.x;
+        frame.viewport.origin.x += left.size.x + gap_between_sides;
+    }
+    show_texture(frame.picture_texture, frame.viewport);
     if (session.current() == nullptr) {
+        place_viewport("picture", frame.viewport);
         fitted_whole_.reset();
         invite(frame.viewport);
         return;
     }
+    if (layout == CompareLayout::wipe) draw_wipe(session, wishes, frame);
+    if (layout == CompareLayout::side_by_side) {
+        show_texture(frame.reference_texture, frame.reference_viewport);
+        label(session.reference()->name(), frame.reference_viewport, false);
+        label(session.current()->name(), frame.viewport, true);
+    }
     const PixelAddress corner = corner_of(session.current()->picture());
     PlacedPicture placed{frame.viewport, of_part(session.transform(), corner)};
     fit_if_new(session, placed);
-    handle_mouse(session, wishes, placed);
+    std::optional<PixelAddress> hovered;
+    if (layout == CompareLayout::side_by_side) {
+        // Both sides have the same zoom and pan: the mouse does on the one what it does on the other.
+        PlacedPicture beside{frame.reference_viewport, placed.transform};
+        place_viewport("reference", beside.viewport);
+        hovered = handle_mouse(session, wishes, beside);
+        placed.transform = beside.transform;
+    }
+    place_viewport("picture", placed.viewport);
+    if (const auto here = handle_mouse(session, wishes, placed)) hovered = here;
+    if (hovered != session.selection().hovered) wishes.add([hovered](Session& s) { s.hover(hovered); });
     if (placed.transform != of_part(session.transform(), corner))
         wishes.add([transform = of_whole(placed.transform, corner)](Session& s) { s.change_transform() = transform; });
     overlay_.draw(session, placed);
+    if (layout == CompareLayout::side_by_side) draw_pointers(session, placed, frame.reference_viewport);
     // Differences are no directions of the picture.
     if (info(session.view().quantity).kind == ScaleKind::cyclic && !session.comparison()) {
         const DVec2 end = frame.viewport.origin + frame.viewport.size;
@@ -114,7 +199,7 @@ void PicturePanel::fit_if_new(const Session& session, PlacedPicture& placed) {
     fitted_view_ = placed.viewport.size;
 }
 
-void PicturePanel::handle_mouse(const Session& session, Wishes& wishes, PlacedPicture& placed) {
+std::optional<PixelAddress> PicturePanel::handle_mouse(const Session& session, Wishes& wishes, PlacedPicture& placed) {
     const ImGuiIO& io = ImGui::GetIO();
     ViewTransform& transform = placed.transform;
     const DVec2 at = DVec2(io.MousePos.x, io.MousePos.y) - placed.viewport.origin;
@@ -124,7 +209,6 @@ void PicturePanel::handle_mouse(const Session& session, Wishes& wishes, PlacedPi
     const bool is_inside = p.x >= 0.0 && p.y >= 0.0 && p.x < extent.x && p.y < extent.y;
     const PixelAddress pixel{static_cast<int>(p.x), static_cast<int>(p.y)};
     const auto hovered = ImGui::IsItemHovered() && is_inside ? std::optional(pixel) : std::nullopt;
-    if (hovered != session.selection().hovered) wishes.add([hovered](Session& s) { s.hover(hovered); });
 
     if (ImGui::IsItemActivated()) {
         drag_ = Drag::none;
@@ -145,6 +229,7 @@ void PicturePanel::handle_mouse(const Session& session, Wishes& wishes, PlacedPi
         else if (is_inside)
             wishes.add([pixel](Session& s) { s.pin(pixel); });
     }
+    return hovered;
 }
 
 PicturePanel::Drag PicturePanel::drag_meant(const Session& session) {

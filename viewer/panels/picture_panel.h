@@ -26,7 +26,8 @@ private:
 
     /// Pictures of one size are shown at the same place.
     void fit_if_new(const Session& session, PlacedPicture& placed);
-    void handle_mouse(const Session& session, Wishes& wishes, PlacedPicture& placed);
+    /// Of the item that was placed last; returns the pixel under the cursor.
+    std::optional<PixelAddress> handle_mouse(const Session& session, Wishes& wishes, PlacedPicture& placed);
     void handle_wheel(const Session& session, Wishes& wishes, PlacedPicture& placed, const DVec2& at);
     void move_camera(const Session& session, Wishes& wishes, double points_per_pixel);
 

@@ -10,6 +10,7 @@
 
 #include "viewer/commands/unsaved_edits.h"
 #include "viewer/pages/readout_text.h"
+#include "viewer/panels/picture_header.h"
 #include "viewer/widgets/ink.h"
 #include "viewer/widgets/widget_map.h"
 
@@ -21,17 +22,11 @@ constexpr int thumbnail_side = 36;
 /// A picture that is being rendered is looked at again so often.
 constexpr double renewed_after_s = 1.0;
 
-/// "256 x 256, 21 bands"; of a part, what it is a part of.
-std::string size_text(const StokesImage& picture) {
-    std::string text = fmt::format("{} x {}", picture.width, picture.height);
-    const bool is_part =
-        picture.whole_width > 0 && (picture.left != 0 || picture.top != 0 || picture.width != picture.whole_width ||
-                                    picture.height != picture.whole_height);
-    if (is_part)
-        text +=
-            fmt::format(" at {},{} of {} x {}", picture.left, picture.top, picture.whole_width, picture.whole_height);
-    if (picture.bands.size() == 1) return text + ", " + band_text(picture.bands.front());
-    return text + fmt::format(", {} bands", picture.bands.size());
+/// "256 x 256 pixels, 21 bands"; of a part, what it is a part of.
+std::string about_text(const StokesImage& picture) {
+    const std::string size = size_text(picture);
+    if (picture.bands.size() == 1) return size + ", " + band_text(picture.bands.front());
+    return size + fmt::format(", {} bands", picture.bands.size());
 }
 
 std::string bands_text(const StokesImage& picture) {
@@ -98,7 +93,7 @@ void PicturesPanel::draw(const Session& session, Wishes& wishes) {
             wishes.add([which = &document](Session& s) { s.show_document(which); });
         name_widget("picture " + std::to_string(i + 1));
         tooltip(fmt::format("{}\n{}\n{}", document.path().empty() ? document.name() : document.path().string(),
-                            size_text(picture), bands_text(picture))
+                            about_text(picture), bands_text(picture))
                     .c_str());
         if (picture.pixel_count() > 0 && !picture.bands.empty()) draw_thumbnail(thumbnail(document), at, side);
         const ImVec2 text(at.x + side + ImGui::GetStyle().ItemSpacing.x, at.y);
@@ -107,7 +102,7 @@ void PicturesPanel::draw(const Session& session, Wishes& wishes) {
         const std::string number = i < 9 ? std::to_string(i + 1) + "  " : "";
         const std::string name = number + document.name() + (document.dirty() ? " *" : "");
         list.AddText(text, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
-        std::string about = size_text(picture);
+        std::string about = about_text(picture);
         if (&document == session.reference()) about = "reference, " + about;
         list.AddText({text.x, text.y + line}, ImGui::GetColorU32(ImGuiCol_TextDisabled), about.c_str());
         ImGui::PopClipRect();

@@ -92,11 +92,11 @@ void draw_errors(const Features& features, const FilmStatus& film, const ThemeCo
 
 /// What is on screen is not final before the reference is.
 void draw_reference(const Session& session, const ThemeColors& color) {
-    if (!session.comparison()) return;
+    if (!session.comparison() && session.layout() == CompareLayout::single) return;
     const RenderProgress progress = session.reference()->progress();
     if (progress.finished) return;
     entry("reference", color.warning, fmt::format("reference at {:.0f} %", 100.0 * progress.done),
-          "The picture that is subtracted is still being rendered.");
+          "The picture that this one is compared with is still being rendered.");
 }
 
 void draw_listening(const Session& session, const ThemeColors& color) {

@@ -138,11 +138,15 @@ struct Drawn {
     friend bool operator==(const Drawn&, const Drawn&) = default;
 };
 
-Drawn what_to_draw(const Session& session, int width, int height, double pixel_ratio) {
+ShownPicture shown_on(const ShownSide& side, const Session& session) {
+    return {side.document->picture(), session.polarimeter(), session.view().convention};
+}
+
+Drawn what_to_draw(const Session& session, const ShownSide& side, int width, int height, double pixel_ratio) {
     const ViewSettings& view = session.view();
-    const StokesImage& picture = session.current()->picture();
+    const StokesImage& picture = side.document->picture();
     const MapScale look = map_look(session);
-    const auto d65 = white_of(picture.bands[view.band]);
+    const auto d65 = white_of(picture.bands[side.band]);
     const auto first_row = session.polarimeter().mueller().m[0];
     Drawn drawn;
     drawn.width = width;
@@ -152,17 +156,16 @@ Drawn what_to_draw(const Session& session, int width, int height, double pixel_r
     drawn.zoom = to_single(session.transform().scale * pixel_ratio);
     drawn.hatch = to_single(session.transform().scale);
     const bool is_picture = view.quantity == Quantity::color;
-    drawn.variant = {view.quantity, view.over_intensity && !is_picture, session.comparison().has_value(),
-                     drawn.zoom < 1.0F};
+    drawn.variant = {view.quantity, view.over_intensity && !is_picture, side.is_difference, drawn.zoom < 1.0F};
     drawn.scale = look.scale;
     drawn.fades = look.can_fade();
     drawn.fades_by_bar = look.can_fade() && view.fade_by_bar;
     drawn.black_is_none = look.black_is_none;
     drawn.low = to_single(look.range.low);
     drawn.high = to_single(look.range.high);
-    drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[view.band]);
+    drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[side.band]);
     drawn.d65 = d65 ? to_single(d65.value()) : 0.0F;
-    drawn.is_measured = session.shown_picture().known(view.band).has(info(view.quantity).needs);
+    drawn.is_measured = shown_on(side, session).known(side.band).has(info(view.quantity).needs);
     drawn.has_polarimeter = !session.polarimeter().empty();
     drawn.polarimeter_row = to_single(first_row[0], first_row[1], first_row[2], first_row[3]);
     drawn.gain = to_single(std::exp2(view.exposure));
@@ -199,6 +202,7 @@ void set_uniforms(const Program& program, const Drawn& drawn) {
 }  // namespace
 
 struct PictureRenderer::Gpu {
+    PictureSide side{};
     std::map<Variant, Program> programs;  ///< made when first needed
     VertexArrayName no_vertices;
     RenderTarget target{GL_RGBA8};
@@ -224,8 +228,9 @@ PictureRenderer::PictureRenderer(std::unique_ptr<Gpu> gpu) : gpu_(std::move(gpu)
 
 PictureRenderer::~PictureRenderer() = default;
 
-Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create() {
+Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create(PictureSide side) {
     auto gpu = std::make_unique<Gpu>();
+    gpu->side = side;
     const Variant first{};
     POL_TRY(auto program, program_for(first));
     gpu->programs.emplace(first, std::move(program));
@@ -233,17 +238,18 @@ Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create() {
 }
 
 void PictureRenderer::upload(const Session& session) {
-    const Document* document = session.current();
-    if (document == nullptr || document->picture().pixel_count() == 0) {
+    const auto side = session.side(gpu_->side);
+    if (!side || side->document->picture().pixel_count() == 0) {
         gpu_->layout.reset();
         return;
     }
+    const Document* document = side->document;
     const StokesImage& picture = document->picture();
     const TileRect everything{0, 0, picture.width, picture.height};
     const bool is_new = gpu_->layout != document->picture_layout();
     const std::vector<TileRect> changes =
         is_new ? std::vector{everything} : document->changes_since(gpu_->picture_version);
-    const bool is_other_light = session.view().band != gpu_->wavelength || session.polarimeter() != gpu_->polarimeter ||
+    const bool is_other_light = side->band != gpu_->wavelength || session.polarimeter() != gpu_->polarimeter ||
                                 session.view().convention != gpu_->convention;
     if (is_new) {
         gpu_->stokes.resize(picture.width, picture.height);
@@ -252,11 +258,11 @@ void PictureRenderer::upload(const Session& session) {
     }
     gpu_->layout = document->picture_layout();
     gpu_->picture_version = document->picture_version();
-    gpu_->wavelength = session.view().band;
+    gpu_->wavelength = side->band;
     gpu_->polarimeter = session.polarimeter();
     gpu_->convention = session.view().convention;
 
-    const ShownPicture shown = session.shown_picture();
+    const ShownPicture shown = shown_on(*side, session);
     const auto write_light = [&](const TileRect& rect) {
         const LightFloats floats = light_floats(shown, gpu_->wavelength, rect);
         gpu_->stokes.write(rect, floats.stokes);
@@ -274,19 +280,19 @@ void PictureRenderer::upload(const Session& session) {
     }
     for (const TileRect& rect : changes) write_color(rect);
     if (is_other_light || !changes.empty()) gpu_->drawn.reset();
-    upload_difference(session);
+    upload_difference(session, *side);
 }
 
-void PictureRenderer::upload_difference(const Session& session) {
+void PictureRenderer::upload_difference(const Session& session, const ShownSide& side) {
     const ShownMap& map = session.shown_map();
-    if (!session.comparison()) {
+    if (!side.is_difference) {
         gpu_->difference_version.reset();
         return;
     }
     if (gpu_->difference_version == map.version()) return;
     gpu_->difference_version = map.version();
     gpu_->drawn.reset();
-    const StokesImage& picture = session.current()->picture();
+    const StokesImage& picture = side.document->picture();
     std::vector<Float4> floats(picture.pixel_count(), Float4{});
     if (map.values().size() == floats.size()) {
         // A row that was not looked at yet is shown as the one above it: coarse first, like the picture.
@@ -306,8 +312,8 @@ void PictureRenderer::upload_difference(const Session& session) {
 }
 
 std::uint32_t PictureRenderer::render(const Session& session, int width, int height, double pixel_ratio) {
-    const Document* document = session.current();
-    if (document == nullptr || gpu_->layout != document->picture_layout()) {
+    const auto side = session.side(gpu_->side);
+    if (!side || gpu_->layout != side->document->picture_layout()) {
         gpu_->drawn.reset();
         gpu_->target.begin(width, height);
         glClearColor(background[0], background[1], background[2], background[3]);
@@ -315,7 +321,7 @@ std::uint32_t PictureRenderer::render(const Session& session, int width, int hei
         RenderTarget::end();
         return gpu_->target.texture();
     }
-    const Drawn drawn = what_to_draw(session, width, height, pixel_ratio);
+    const Drawn drawn = what_to_draw(session, *side, width, height, pixel_ratio);
     if (gpu_->drawn == drawn) return gpu_->target.texture();
     gpu_->drawn = drawn;
     if (!gpu_->programs.contains(drawn.variant)) {

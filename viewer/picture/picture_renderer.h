@@ -15,7 +15,8 @@ namespace pol {
 class PictureRenderer {
 public:
     /// Error (kind internal): a shader does not compile or link; the message has the driver's log.
-    static Result<std::unique_ptr<PictureRenderer>> create();
+    /// Of the picture on screen, or of the reference beside it (Session::side).
+    static Result<std::unique_ptr<PictureRenderer>> create(PictureSide side = PictureSide::current);
     ~PictureRenderer();
     PictureRenderer(const PictureRenderer&) = delete;
     PictureRenderer& operator=(const PictureRenderer&) = delete;
@@ -29,7 +30,7 @@ public:
     std::uint32_t render(const Session& session, int width, int height, double pixel_ratio);
 
 private:
-    void upload_difference(const Session& session);
+    void upload_difference(const Session& session, const ShownSide& side);
     struct Gpu;
     explicit PictureRenderer(std::unique_ptr<Gpu> gpu);
     std::unique_ptr<Gpu> gpu_;

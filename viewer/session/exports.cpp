@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "core/result.h"
@@ -209,9 +210,9 @@ void export_snapshot(Session& session) {
         });
 }
 
-void export_map(Session& session) {
+fs::path export_map(Session& session) {
     const Document* document = session.current();
-    if (document == nullptr) return;
+    if (document == nullptr) return {};
     session.catch_up();
     const ViewSettings& view = session.view();
     const std::string quantity(info(view.quantity).name);
@@ -239,6 +240,8 @@ void export_map(Session& session) {
                           reference = std::move(reference), caption, path](ExportProgress& progress) {
                              return write_map(*lent, view, options, polarimeter, reference, caption, path, progress);
                          });
+    std::error_code ignored;
+    return fs::absolute(path, ignored);
 }
 
 void export_pixels(Session& session) {

@@ -26,8 +26,8 @@ void export_snapshot(Session& session);
 
 /// Writes the whole map on screen, at the picture's size, with color bar and legend as PNG: behind the polarimeter, in
 /// the shown range, style, scale and convention, which the legend names. The legend says so if samples are missing.
-/// Nothing open: does nothing.
-void export_map(Session& session);
+/// Nothing open: does nothing. Returns the whole path of the file; empty: none.
+std::filesystem::path export_map(Session& session);
 
 /// Writes the marked pixels, else those of the region, else all, at all wavelengths as CSV, behind the polarimeter, in
 /// the camera's frame and the shown convention, which is the last column. A pixel without a sample has no numbers.

@@ -82,7 +82,8 @@ void fit_bar_range(Session& session) {
     const ScaleKind kind = map_look(session).kind;
     const MapSummary& found = session.shown_map().summary();
     MapRange range{found.low, found.high};
-    if (kind == ScaleKind::diverging || session.comparison()) {
+    const bool is_signed = session.comparison() && !info(session.view().quantity).of_two;
+    if (kind == ScaleKind::diverging || is_signed) {
         range.high = std::max(std::abs(found.low), std::abs(found.high));
         range.low = -range.high;
     }

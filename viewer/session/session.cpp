@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/session/session.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -73,61 +71,6 @@ bool Session::open_twin(Scene scene, const std::string& kind, const std::string&
     return true;
 }
 
-void Session::set_reference() {
-    if (current() == nullptr) return;
-    reference_ = current();
-    log_.add(Severity::note, reference_->name() + " is the reference; X shows how far other pictures are from it");
-}
-
-Result<Comparison> Session::compare() const {
-    const Document* document = current();
-    const auto refusal = [](std::string what, std::string remedy) {
-        return Error{ErrorKind::usage, std::move(what), {}, {}, std::move(remedy)};
-    };
-    if (document == nullptr || reference_ == nullptr)
-        return refusal("there is no reference to compare with",
-                       "show the picture that others are to be compared with and press Shift+X");
-    if (document == reference_)
-        return refusal(document->name() + " is the reference itself", "PgDn and PgUp show the other pictures");
-    const StokesImage& a = document->picture();
-    const StokesImage& b = reference_->picture();
-    if (a.width != b.width || a.height != b.height)
-        return refusal(fmt::format("{} has {} x {} pixels, the reference {} has {} x {}", document->name(), a.width,
-                                   a.height, reference_->name(), b.width, b.height),
-                       "compare pictures of one size");
-    if (a.left != b.left || a.top != b.top)
-        return refusal(fmt::format("{} begins at pixel {},{} of its picture, the reference {} at {},{}",
-                                   document->name(), a.left, a.top, reference_->name(), b.left, b.top),
-                       "compare the same part of both pictures");
-    const Band& band = a.bands[std::min(view_.band, a.bands.size() - 1)];
-    if (const auto found = matching_band(b.bands, band)) return Comparison{reference_, *found};
-    return refusal(fmt::format("the reference {} has no band {}", reference_->name(), band.label()),
-                   "choose a band that both pictures have, or render them at the same wavelengths");
-}
-
-std::optional<Comparison> Session::comparison() const {
-    if (!view_.difference || view_.quantity == Quantity::color) return std::nullopt;
-    const auto found = compare();
-    return found ? std::optional(found.value()) : std::nullopt;
-}
-
-ShownQuantity Session::shown_quantity() const {
-    std::optional<ReferencePicture> reference;
-    if (const auto compared = comparison()) reference = compared->picture();
-    return {current()->picture(), view_, polarimeter_, reference};
-}
-
-void Session::toggle_difference() {
-    if (comparison()) {
-        view_.difference = false;
-    } else if (const auto possible = compare(); !possible) {
-        log_.add(Severity::warning, to_string(possible.error()));
-    } else {
-        view_.difference = true;
-        if (view_.quantity == Quantity::color) show(Quantity::intensity);
-    }
-}
-
 void Session::make_current(int index) {
     current_ = index;
     flipped_from_ = nullptr;
@@ -173,17 +116,6 @@ void Session::show_document(const Document* which) {
     const auto found = std::find_if(documents_.begin(), documents_.end(),
                                     [&](const auto& document) { return document.get() == which; });
     if (found != documents_.end() && which != current()) make_current(static_cast<int>(found - documents_.begin()));
-}
-
-void Session::flip_to_reference() {
-    const Document* from = current();
-    if (reference_ == nullptr || from == reference_) return;
-    show_document(reference_);
-    flipped_from_ = from;
-}
-
-void Session::flip_back() {
-    show_document(flipped_from_);
 }
 
 bool Session::logged(const Result<Done>& result) {
@@ -275,8 +207,9 @@ void Session::update() {
     take_readings();
     take_live();
     const auto compared = comparison();
+    const bool is_pair = compared || layout() != CompareLayout::single;
     const auto is_seen = [&](const Document* document) {
-        return document == current() || (compared && document == reference_);
+        return document == current() || (is_pair && document == reference_);
     };
     bool tracing = false;
     bool behind = false;

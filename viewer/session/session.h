@@ -31,6 +31,22 @@
 
 namespace pol {
 
+/// Of a picture and the reference.
+enum class PictureSide : std::uint8_t { current, reference };
+
+/// What is drawn on one side.
+struct ShownSide {
+    const Document* document = nullptr;
+    std::size_t band = 0;        ///< of that document
+    bool is_difference = false;  ///< minus the reference (Session::shown_map)
+};
+
+/// What the convention doctor (compare/convention_doctor.h) says of a picture and the reference.
+struct ConventionAdvice {
+    std::string verdict;                    ///< for the user; our picture is the reference
+    std::optional<StokesConvention> adopt;  ///< what the numbers have to be taken for instead; none: no change helps
+};
+
 /// Main thread only.
 class Session {
 public:
@@ -93,7 +109,7 @@ public:
     bool open_isotropic_twin();
     bool open_unpolarized_twin();
 
-    // Comparing pictures
+    // Comparing pictures (session_comparison.cpp)
 
     /// Makes the current document the one that others are compared with.
     void set_reference();
@@ -103,7 +119,8 @@ public:
     /// does nothing.
     void flip_to_reference();
     void flip_back();
-    /// Whether the current picture can be held against the reference. Error: why not, and what to do.
+    /// Whether the current picture can be held against the reference, where both have a pixel (shared_area). Error: why
+    /// not, and what to do.
     [[nodiscard]] Result<Comparison> compare() const;
     /// The comparison on screen; none if no difference is shown: not asked for, not possible, or of color.
     [[nodiscard]] std::optional<Comparison> comparison() const;
@@ -114,6 +131,23 @@ public:
     /// Shows the difference from the reference, or the map itself again. Of color there is none: it shows the
     /// intensity's. If it is not possible the log says why.
     void toggle_difference();
+    /// ViewSettings::layout, or `single` if the two cannot be compared.
+    [[nodiscard]] CompareLayout layout() const;
+    /// Shows both pictures in the same map, range and place, or the current one alone again. If it is not possible the
+    /// log says why.
+    void toggle_layout(CompareLayout wanted);
+    /// What is drawn on a side; none: nothing.
+    [[nodiscard]] std::optional<ShownSide> side(PictureSide side) const;
+    /// Pins the pixel where the shown difference is largest, or where without one the light is most unphysical; what is
+    /// no number is worse than either. If there is none the log says so.
+    void pin_worst();
+    /// The convention doctor about the current picture and the reference. Error: they cannot be held against each
+    /// other.
+    [[nodiscard]] Result<ConventionAdvice> convention_advice() const;
+    /// Puts its verdict into the log; if `adopt`, takes the numbers of the current picture for what it says.
+    void ask_doctor(bool adopt);
+    /// Pins a pixel that was typed, "x,y" in the whole picture, and brings it into view. Error: no such pixel.
+    Result<Done> go_to(const std::string& typed);
 
     // The current document's scene and file
 
@@ -148,8 +182,8 @@ public:
     ViewSettings& change_view() { return view_; }
     /// Index into the picture's bands; one that it does not have: its last one. Nothing open: does nothing.
     void choose_band(std::size_t index);
-    /// Shows another map.
-    void show(Quantity quantity) { view_.quantity = quantity; }
+    /// Shows another map. One of two pictures shows the difference at once; if there is none the log says why.
+    void show(Quantity quantity);
     [[nodiscard]] const ViewTransform& transform() const { return transform_; }
     ViewTransform& change_transform() { return transform_; }
     /// Of the picture's viewport, logical points.
@@ -204,6 +238,14 @@ public:
 
     // What is told and written
 
+    /// A text that whoever shows the window puts into the clipboard when copies() has grown.
+    void copy(std::string text) {
+        copied_ = std::move(text);
+        ++copies_;
+    }
+    [[nodiscard]] const std::string& copied() const { return copied_; }
+    [[nodiscard]] std::uint64_t copies() const { return copies_; }
+
     [[nodiscard]] const Log& log() const { return log_; }
     void say(Severity severity, std::string text) { log_.add(severity, std::move(text)); }
     [[nodiscard]] const ExportQueue& exports() const { return exports_; }
@@ -250,6 +292,7 @@ private:
     void fit_band();
     void fit_selection();
     void show_pins();
+    void reveal(PixelAddress pixel);
     /// Index into pins_ of a pixel of the current picture; pins_.size(): it is not pinned.
     [[nodiscard]] std::size_t pin_at(PixelAddress pixel) const;
     void look_for_shipped_files();
@@ -280,6 +323,8 @@ private:
     Log log_;
     ExportQueue exports_;
     std::filesystem::path wanted_window_picture_;
+    std::string copied_;
+    std::uint64_t copies_ = 0;
     std::vector<std::filesystem::path> recent_files_;
     bool looked_for_shipped_files_ = false;
     ShippedFiles shipped_files_;

@@ -33,6 +33,7 @@ struct WindowState {
     bool palette_visible = false;     ///< commands to type
     bool path_entry_visible = false;  ///< a file name to type
     bool save_as_visible = false;     ///< a file name for the scene to type
+    bool go_to_visible = false;       ///< a pixel to type
     bool full_screen = false;
     Theme theme = Theme::dark;
     double ui_scale = 0.0;  ///< of fonts and widgets; 0: what the screen says
@@ -43,7 +44,7 @@ struct WindowState {
 
     /// A question or an entry is open: keys belong to it.
     [[nodiscard]] bool modal() const {
-        return palette_visible || path_entry_visible || save_as_visible || question != Question::none;
+        return palette_visible || path_entry_visible || save_as_visible || go_to_visible || question != Question::none;
     }
 };
 

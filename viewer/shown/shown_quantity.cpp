@@ -32,20 +32,41 @@ ShownQuantity::ShownQuantity(const StokesImage& picture, const ViewSettings& vie
     if (reference) {
         reference_.emplace(*reference->picture, polarimeter, view.convention);
         reference_band_ = reference->band;
+        shared_ = compare::shared_area(picture, *reference->picture);
     }
     if (const auto d65 = white_of(picture.bands[band_])) d65_ = d65.value();
 }
 
+std::optional<std::size_t> ShownQuantity::in_reference(std::size_t pixel) const {
+    if (!shared_) return std::nullopt;
+    const compare::Area& here = shared_->in_a;
+    const auto width = static_cast<std::size_t>(picture_.picture().width);
+    const int x = static_cast<int>(pixel % width) - here.x;
+    const int y = static_cast<int>(pixel / width) - here.y;
+    if (x < 0 || y < 0 || x >= here.width || y >= here.height) return std::nullopt;
+    return reference_->picture().pixel(shared_->in_b.x + x, shared_->in_b.y + y);
+}
+
 MapPixel ShownQuantity::at(std::size_t pixel) const {
-    const MapPixel own = value(picture_, band_, pixel);
-    return reference_ ? difference(quantity_, own, value(*reference_, reference_band_, pixel)) : own;
+    if (!reference_) return value(picture_, band_, pixel);
+    const auto there = in_reference(pixel);
+    if (!there) return {0.0, 0.0, PixelState::undefined};
+    if (quantity_ == Quantity::poincare)
+        return poincare_distance(picture_.light(band_, pixel), reference_->light(reference_band_, *there));
+    return difference(quantity_, value(picture_, band_, pixel), value(*reference_, reference_band_, *there));
+}
+
+QuantityReadout ShownQuantity::of_reference(std::size_t pixel) const {
+    const auto there = in_reference(pixel);
+    if (!there) return {{0.0, 0.0, PixelState::undefined}, std::nullopt};
+    return read(*reference_, reference_band_, *there);
 }
 
 QuantityReadout ShownQuantity::readout(std::size_t pixel) const {
     const QuantityReadout a = own(pixel);
     if (!reference_) return a;
     const QuantityReadout b = of_reference(pixel);
-    QuantityReadout by{difference(quantity_, a.pixel, b.pixel), std::nullopt, a.rounding + b.rounding};
+    QuantityReadout by{at(pixel), std::nullopt, a.rounding + b.rounding};
     if (by.pixel.state != PixelState::defined || !a.bar || !b.bar) return by;
     // Around the difference itself, which of azimuths is that of lines.
     const double plain = a.pixel.value - b.pixel.value;

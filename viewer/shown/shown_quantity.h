@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "compare/pairing.h"
 #include "maps/error_bars.h"
 #include "maps/evaluate.h"
 #include "viewer/shown/polarimeter.h"
@@ -45,12 +46,13 @@ public:
     /// The same with its bar; that of a difference is as wide as both bars together.
     [[nodiscard]] QuantityReadout readout(std::size_t pixel) const;
     [[nodiscard]] QuantityReadout own(std::size_t pixel) const { return read(picture_, band_, pixel); }
-    /// Requires: there is a reference.
-    [[nodiscard]] QuantityReadout of_reference(std::size_t pixel) const {
-        return read(*reference_, reference_band_, pixel);
-    }
+    /// At the same place of the whole picture; `undefined` where the reference has no pixel. Requires: there is a
+    /// reference.
+    [[nodiscard]] QuantityReadout of_reference(std::size_t pixel) const;
 
 private:
+    /// Index into the reference; none where it has no pixel.
+    [[nodiscard]] std::optional<std::size_t> in_reference(std::size_t pixel) const;
     [[nodiscard]] QuantityReadout read(const ShownPicture& picture, std::size_t band, std::size_t pixel) const;
     [[nodiscard]] MapPixel value(const ShownPicture& picture, std::size_t band, std::size_t pixel) const;
 
@@ -58,6 +60,7 @@ private:
     ShownPicture picture_;
     std::size_t band_;
     std::optional<ShownPicture> reference_;
+    std::optional<compare::SharedArea> shared_;
     std::size_t reference_band_ = 0;
     std::optional<double> d65_;  ///< none outside its table
 };

@@ -24,6 +24,13 @@ struct GlyphSettings {
     friend bool operator==(const GlyphSettings&, const GlyphSettings&) = default;
 };
 
+/// How a picture and the reference are shown together.
+enum class CompareLayout : std::uint8_t {
+    single,        ///< the picture alone
+    wipe,          ///< left of a line the reference, right of it the picture
+    side_by_side,  ///< the reference and the picture, at the same place
+};
+
 struct ViewSettings {
     Quantity quantity = Quantity::color;
     std::size_t band = 0;  ///< index into the picture's bands
@@ -31,6 +38,8 @@ struct ViewSettings {
     std::optional<ColorScale> scale;  ///< instead of the one that style and quantity choose
     /// By quantity: instead of the range of QuantityInfo.
     std::array<std::optional<MapRange>, quantity_count> range{};
+    CompareLayout layout = CompareLayout::single;  ///< as far as the two can be compared (Session::layout)
+    double wipe = 0.5;                             ///< place of the line, of the viewport's width
     bool difference = false;  ///< minus the reference, where the two can be compared (Session::comparison)
     std::array<std::optional<MapRange>, quantity_count> difference_range{};  ///< by quantity: instead of what is there
     double exposure = 0.0;                                                   ///< stops; color and intensity
