@@ -214,6 +214,90 @@ TEST_F(PictureList, SaysSizePlaceAndBandsAndMarksTheReference) {
     EXPECT_NE(text.find("12 x 9 pixels from 4,3 of 16 x 12, 2 bands"), std::string::npos) << text;
 }
 
+/// Two pictures, the first one the reference, in a window.
+class TwoPictures : public testing::Test {
+protected:
+    void SetUp() override {
+        map.text_log = "/dev/null";
+        ImGui::GetIO().UserData = &map;
+        ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+        session.set_reference();
+        ASSERT_NO_FATAL_FAILURE(open_picture(session, known_picture()));
+        window.draw();
+    }
+    WindowWithoutGl window;
+    Session& session = window.session;
+    WidgetMap map;
+};
+
+TEST_F(TwoPictures, AWipeHasALineThatFollowsTheMouse) {
+    EXPECT_EQ(window.frame.reference_viewport.size.x, 0.0) << "not asked for";
+    EXPECT_TRUE(run_command(session, {letter('W')}));
+    window.draw(3);
+    ASSERT_TRUE(map.rects.contains("wipe"));
+    EXPECT_EQ(window.frame.reference_viewport.origin, window.frame.viewport.origin);
+    EXPECT_EQ(window.frame.reference_viewport.size, window.frame.viewport.size);
+    const ViewTransform before = session.transform();
+    const ViewRect& line = map.rects.at("wipe");
+    const DVec2 from = glm::floor(line.origin + 0.5 * line.size);
+    const DVec2 to = from + DVec2(120.0, 30.0);
+    window.drag(from, to);
+    const double width = window.frame.viewport.size.x;
+    EXPECT_NEAR(session.view().wipe, (to.x - window.frame.viewport.origin.x) / width, 1e-6);
+    EXPECT_EQ(session.transform(), before) << "the picture was not dragged";
+    EXPECT_FALSE(session.selection().pinned());
+    window.drag(to, to + DVec2(5000.0, 0.0));
+    EXPECT_EQ(session.view().wipe, 1.0) << "it stays in the picture";
+    EXPECT_TRUE(run_command(session, {letter('W')}));
+    window.draw();
+    EXPECT_EQ(window.frame.reference_viewport.size.x, 0.0);
+}
+
+TEST_F(TwoPictures, SideBySideTheMouseDoesTheSameOnBoth) {
+    EXPECT_TRUE(run_command(session, {letter('W'), false, true}));
+    window.draw(3);
+    const ViewRect& left = window.frame.reference_viewport;
+    const ViewRect& right = window.frame.viewport;
+    EXPECT_EQ(left.size, right.size);
+    EXPECT_LE(left.origin.x + left.size.x, right.origin.x);
+    EXPECT_EQ(session.view_size(), right.size);
+    EXPECT_NEAR(session.transform().scale, std::min(right.size.x / 16.0, right.size.y / 12.0), 1e-9) << "fitted anew";
+    const auto on_the_left = [&](PixelAddress pixel) {
+        return left.origin + session.transform().view_from_picture({pixel.x + 0.5, pixel.y + 0.5});
+    };
+    window.move(on_the_left({5, 4}));
+    EXPECT_EQ(session.selection().hovered, (PixelAddress{5, 4}));
+    window.move(window.place_of({6, 7}));
+    EXPECT_EQ(session.selection().hovered, (PixelAddress{6, 7}));
+    window.click(on_the_left({3, 7}));
+    EXPECT_EQ(session.selection().pinned(), (PixelAddress{3, 7}));
+    const double scale = session.transform().scale;
+    const DVec2 at = glm::floor(on_the_left({3, 7}));
+    window.move(at);
+    const DVec2 fixed = session.transform().picture_from_view(at - left.origin);
+    window.turn_wheel(2.0F);
+    EXPECT_NEAR(session.transform().scale / scale, 1.44, 1e-6);
+    EXPECT_NEAR(session.transform().picture_from_view(at - left.origin).x, fixed.x, 1e-9);
+    const DVec2 offset = session.transform().offset;
+    window.drag(on_the_left({3, 7}), on_the_left({3, 7}) + DVec2(20.0, -15.0));
+    EXPECT_NEAR(session.transform().offset.x - offset.x, 20.0, 1e-6);
+    EXPECT_NEAR(session.transform().offset.y - offset.y, -15.0, 1e-6);
+}
+
+TEST_F(TwoPictures, ATypedPixelIsPinned) {
+    EXPECT_TRUE(run_command(session, {letter('G'), true}));
+    EXPECT_TRUE(session.window().modal());
+    window.draw(3);
+    EXPECT_TRUE(map.rects.contains("entry Go"));
+    ImGui::GetIO().AddInputCharactersUTF8("12,7");
+    window.draw(3);
+    const ViewRect& go = map.rects.at("entry Go");
+    window.click(go.origin + 0.5 * go.size);
+    window.draw(3);
+    EXPECT_EQ(session.selection().pinned(), (PixelAddress{12, 7}));
+    EXPECT_FALSE(session.window().go_to_visible);
+}
+
 TEST(Thumbnail, IsTheMeanOfThePixelsUnderEachOfItsOwn) {
     StokesImage picture;
     picture.width = 4;
