@@ -26,6 +26,7 @@
 #include "cli/messages.h"
 #include "cli/plan_command.h"
 #include "cli/render_command.h"
+#include "cli/send_command.h"
 #include "core/nearest_word.h"
 #include "core/result.h"
 
@@ -81,6 +82,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     add_render_command(program, exit_code);
     add_maps_command(program, exit_code);
     add_compare_command(program, exit_code);
+    add_send_command(program, exit_code);
     add_explain_command(program, exit_code);
     add_interface_command(program, exit_code);
     add_plan_command(program, exit_code);
