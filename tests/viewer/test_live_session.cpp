@@ -8,7 +8,7 @@
 
 #include "io/live_client.h"
 #include "viewer/foreign_picture.h"
-#include "viewer/session/preferences.h"
+#include "viewer/session/exports.h"
 
 namespace pol {
 namespace {
@@ -146,6 +146,34 @@ TEST_F(LiveSession, PicturesStayWhenTheWindowListensNoMore) {
     session.update();
     session.close_document();
     EXPECT_TRUE(session.documents().empty());
+}
+
+TEST_F(LiveSession, APictureThatOneWindowSendsAnotherOneShows) {
+    Session other;
+    open_picture(other, known_picture());
+    send_picture(other, session.listener()->address());
+    wait_until([&] {
+        other.update();
+        return session.current() != nullptr && other.exports().idle();
+    });
+    EXPECT_EQ(other.log().lines().back().severity, Severity::note) << other.log().lines().back().text;
+    const StokesImage& sent = other.current()->picture();
+    wait_until([&] { return session.current()->picture().stokes == sent.stokes; });
+    EXPECT_EQ(session.current()->picture().bands, sent.bands);
+    EXPECT_EQ(session.current()->name(), other.current()->name());
+}
+
+TEST(LiveSending, ToNobodyIsAnErrorInTheLog) {
+    Session session;
+    open_picture(session, known_picture());
+    LiveAddress nobody;
+    nobody.unix_path = "/nowhere/at/all";
+    send_picture(session, nobody);
+    ASSERT_TRUE(soon([&] {
+        session.update();
+        return session.exports().idle();
+    }));
+    EXPECT_EQ(session.log().lines().back().severity, Severity::error);
 }
 
 // 200 tiles of 128 x 128 and four channels a second, in frames of a twentieth of a second: 10 tiles each.

@@ -151,6 +151,7 @@ void Interface::draw_overlays(const Session& session, Wishes& wishes) {
     open_dialog_.draw(session, wishes);
     save_as_dialog_.draw(session, wishes);
     go_to_dialog_.draw(session, wishes);
+    send_dialog_.draw(session, wishes);
     draw_unsaved_dialog(session, wishes);
     draw_rewrite_dialog(session, wishes);
     draw_layout_dialog(session, wishes);

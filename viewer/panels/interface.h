@@ -19,6 +19,7 @@
 #include "viewer/panels/region_panel.h"
 #include "viewer/panels/save_as_dialog.h"
 #include "viewer/panels/scene_panel.h"
+#include "viewer/panels/send_dialog.h"
 #include "viewer/panels/space_panel.h"
 #include "viewer/panels/sphere_panel.h"
 #include "viewer/session/session.h"
@@ -69,6 +70,7 @@ private:
     OpenDialog open_dialog_;
     SaveAsDialog save_as_dialog_;
     GoToDialog go_to_dialog_;
+    SendDialog send_dialog_;
     std::optional<Theme> theme_;  // that the style was made for, with theme_scale_
     double theme_scale_ = 0.0;
 };

@@ -13,6 +13,7 @@
 #include "core/result.h"
 #include "core/units.h"
 #include "io/files/output_file.h"
+#include "io/live/live_sender.h"
 #include "io/pictures/exr_file.h"
 #include "io/pictures/png_file.h"
 #include "io/scenes/picture_attributes.h"
@@ -255,6 +256,20 @@ void export_pixels(Session& session) {
          polarimeter = session.polarimeter(), convention = session.view().convention, path](ExportProgress& progress) {
             return write_pixels(*lent, wanted, polarimeter, convention, path, progress);
         });
+}
+
+void send_picture(Session& session, const LiveAddress& to) {
+    const Document* document = session.current();
+    if (document == nullptr) return;
+    session.catch_up();
+    // A viewer that does not read is given up.
+    constexpr double most_s = 30.0;
+    session.start_export(document->name() + " for a viewer", to.text(),
+                         [lent = document->lend_picture(), name = document->name(), to](ExportProgress&) mutable {
+                             const StokesImage image = *lent;
+                             lent.reset();  // a render goes on in the window
+                             return LiveSender(to, source_of(image, name)).finish(most_s);
+                         });
 }
 
 void export_window(Session& session) {

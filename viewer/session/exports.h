@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "io/live/live_address.h"
 #include "maps/colorize.h"
 #include "viewer/session/export_queue.h"
 #include "viewer/session/session.h"
@@ -33,6 +34,10 @@ std::filesystem::path export_map(Session& session);
 /// the camera's frame and the shown convention, which is the last column. A pixel without a sample has no numbers.
 /// Nothing open: does nothing.
 void export_pixels(Session& session);
+
+/// Sends all bands of what is there now, in the tracer's convention, to the viewer tev or whoever speaks its protocol;
+/// the log says when it is there. Nothing open: does nothing.
+void send_picture(Session& session, const LiveAddress& to);
 
 /// Asks for the whole window as it will look in the next frame, menus closed (Session::wanted_window_picture).
 void export_window(Session& session);

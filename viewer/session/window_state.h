@@ -34,6 +34,7 @@ struct WindowState {
     bool path_entry_visible = false;  ///< a file name to type
     bool save_as_visible = false;     ///< a file name for the scene to type
     bool go_to_visible = false;       ///< a pixel to type
+    bool send_visible = false;        ///< an address to type that the picture is sent to
     bool full_screen = false;
     Theme theme = Theme::dark;
     double ui_scale = 0.0;  ///< of fonts and widgets; 0: what the screen says
@@ -44,7 +45,8 @@ struct WindowState {
 
     /// A question or an entry is open: keys belong to it.
     [[nodiscard]] bool modal() const {
-        return palette_visible || path_entry_visible || save_as_visible || go_to_visible || question != Question::none;
+        return palette_visible || path_entry_visible || save_as_visible || go_to_visible || send_visible ||
+               question != Question::none;
     }
 };
 
