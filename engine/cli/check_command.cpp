@@ -46,6 +46,10 @@ void print(const ordered_json& report) {
 
 // Pictures.
 
+std::string place_of(const StokesImage& image, const verify::PixelValue& at) {
+    return at.is_luminance ? "luminance" : image.bands[at.band].label();
+}
+
 void print_origin(const StokesImage& image) {
     const PictureOrigin& origin = image.origin;
     if (!origin.layout.empty()) fmt::print("read as: {}\n", printable(origin.layout));
@@ -67,7 +71,7 @@ void print_text(const std::string& file, const StokesImage& image, const ImageRe
         fmt::print("{:<46}{:>10}  {}", defect.name, defect.count, defect.count == 0 ? "pass" : "FAIL");
         if (defect.worst)
             fmt::print("   worst: pixel {},{} at {}, {} = {:.6g}", defect.worst->x, defect.worst->y,
-                       image.bands[defect.worst->band].label(), defect.value_name, defect.worst->value);
+                       place_of(image, *defect.worst), defect.value_name, defect.worst->value);
         fmt::print("\n");
     }
     const verify::DopStatistics& dop = report.dop;
@@ -105,7 +109,7 @@ ordered_json as_json(const std::string& file, const StokesImage& image, const Im
         ordered_json entry{{"name", defect.name}, {"count", defect.count}};
         if (defect.worst)
             entry["worst"] = {{"pixel", {defect.worst->x, defect.worst->y}},
-                              {"band", image.bands[defect.worst->band].label()},
+                              {"band", place_of(image, *defect.worst)},
                               {"what", defect.value_name},
                               {"value", defect.worst->value}};
         out["defects"].push_back(entry);

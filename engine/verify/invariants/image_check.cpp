@@ -66,7 +66,8 @@ public:
         }
     }
 
-    [[nodiscard]] bool is_luminance() const { return primaries_.has_value(); }
+    [[nodiscard]] bool has_luminance() const { return primaries_.has_value(); }
+    [[nodiscard]] bool is_luminance(std::size_t judged) const { return is_primary(bands_[judged]); }
     [[nodiscard]] std::size_t count() const { return bands_.size(); }
     /// Band of the picture that stands for the judged one.
     [[nodiscard]] std::size_t band(std::size_t judged) const { return bands_[judged]; }
@@ -110,17 +111,17 @@ std::vector<ImageDefect> find_defects(const StokesImage& image, const Judged& ju
                 const Stokes<double>& s = image.at(b, image.pixel(x, y));
                 if (is_finite(s)) continue;
                 const NamedPart part = first_not_finite(s);
-                not_finite.add({image.left + x, image.top + y, b, part.value}, part.name, 0.0);
+                not_finite.add({image.left + x, image.top + y, b, false, part.value}, part.name, 0.0);
             }
     for (std::size_t j = 0; j < judged.count(); ++j)
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
                 const Stokes<double> s = judged.light(j, image.pixel(x, y));
                 if (!is_finite(s)) continue;
-                PixelValue at{image.left + x, image.top + y, judged.band(j), s.s0};
+                PixelValue at{image.left + x, image.top + y, judged.band(j), judged.is_luminance(j), s.s0};
                 const double length = polarized_part(s);
                 const double allowed = judged.allowed(j, image.pixel(x, y));
-                if (s.s0 < (judged.is_luminance() ? -allowed : 0.0)) {
+                if (s.s0 < (judged.is_luminance(j) ? -allowed : 0.0)) {
                     negative.add(at, "S0", -s.s0);
                 } else if (length > s.s0 + allowed) {
                     at.value = s.s0 > 0.0 ? length / s.s0 - 1.0 : std::numeric_limits<double>::infinity();
@@ -211,7 +212,7 @@ std::vector<std::string> find_unmeasured(const StokesImage& image) {
 
 std::vector<std::string> find_oddities(const StokesImage& image, const Judged& judged, const ImageReport& report) {
     std::vector<std::string> remarks = find_unmeasured(image);
-    if (judged.is_luminance())
+    if (judged.has_luminance())
         remarks.emplace_back(
             "R, G and B of a spectrum may be negative or more than fully polarized each: the luminance is judged");
     const std::array<double Stokes<double>::*, 3> components{&Stokes<double>::s1, &Stokes<double>::s2,

@@ -25,6 +25,7 @@ struct PixelValue {
     int x = 0;
     int y = 0;
     std::size_t band = 0;
+    bool is_luminance = false;  ///< `value` is of the luminance of R, G and B, of which `band` is the first
     double value = 0.0;
 };
 
