@@ -15,6 +15,7 @@
 #include "cli/messages.h"
 #include "cli/output_checks.h"
 #include "cli/progress_line.h"
+#include "cli/render_display.h"
 #include "cli/render_report.h"
 #include "cli/scene_options.h"
 #include "core/result.h"
@@ -146,11 +147,18 @@ int run(const RenderRequest& request) {
     std::signal(SIGTERM, remember_signal);
     const int threads = request.threads.value_or(hardware_threads());
     Renderer renderer(threads);
+    std::unique_ptr<RenderDisplay> display;
+    if (!request.display.empty()) {
+        auto opened = RenderDisplay::open(request.display, request.output, *plan, renderer);
+        if (!opened) return report(opened.error());
+        display = std::move(opened).value();
+    }
     const double cpu_start = cpu_seconds();
     const auto outcome = render_to_stop(renderer, request, scene, plan, open_ended);
     if (!outcome) return report(outcome.error());
     timing.render_cpu_s = cpu_seconds() - cpu_start;
 
+    if (display) display->finish();
     const auto output_start = Clock::now();
     StokesImage image = renderer.snapshot();
     const auto samples = static_cast<int>(outcome.value().progress.film.fewest_samples);
@@ -183,6 +191,8 @@ void add_render_command(ProgramCommand app, int& exit_code) {
                        "Stop when the estimated error is below this share of the picture, for example 0.01");
     command.add_option("--stats", request->statistics, "Write times, counts and errors to this JSON file")
         .type_name("FILE");
+    command.add_option("--display", request->display, "Show it while it is made, in tev or in a window that listens")
+        .type_name("HOST:PORT");
     command.add_flag("--quiet", request->quiet, "Print errors and doubts only");
     command.footer(
         "Ctrl-C stops, writes what is there and exits with 130 (SIGTERM: 143). Ctrl-Z pauses, fg goes on; a pause "
@@ -197,7 +207,8 @@ void add_render_command(ProgramCommand app, int& exit_code) {
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"
         "  polariscope render assets/scenes/bench/g1.yaml -o g1.exr --mode area --spp 64 --residual 3e-3 --stats "
         "g1.json\n"
-        "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass.exr --error 0.02 --time 60");
+        "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass.exr --error 0.02 --time 60\n"
+        "  polariscope render assets/scenes/bench/g1.yaml -o g1.exr --display 127.0.0.1:14158   (view --listen)");
     command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 

@@ -20,6 +20,7 @@ struct RenderRequest {
     std::optional<double> seconds;
     std::optional<double> error;
     std::string statistics;
+    std::string display;  ///< HOST:PORT of a viewer; empty: none
     bool quiet = false;
 };
 
