@@ -60,7 +60,9 @@ Result<PictureReading> open(const PictureSource& source) {
         case Kind::png:
             return open_png(source);
         case Kind::fits:
-            if (!source.layout.empty()) return usage_error("FITS has one layout", "leave --layout out");
+            if (!source.layout.empty())
+                return usage_error(fmt::format("the layout '{}' is none of FITS, which has one", source.layout),
+                                   "leave --layout out");
             return open_fits(source.path());
         case Kind::none:
             break;

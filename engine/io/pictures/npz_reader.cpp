@@ -31,6 +31,13 @@ struct Member {
     std::unique_ptr<ByteSource> bytes;
 };
 
+/// An entry ends with its array. Its checksum is known when all of it is read: a header that were damaged to be shorter
+/// would shift all numbers.
+Result<Done> check_end(const ByteSource& bytes) {
+    if (bytes.left() == 0) return Done{};
+    return input_error("has bytes behind its numbers: it is damaged", "copy or save it again");
+}
+
 class Archive {
 public:
     static Result<Archive> open(const std::filesystem::path& path) {
@@ -86,6 +93,7 @@ public:
                 return of_key(key, input_error("ends too early, or is damaged", "copy or save it again"));
             number = format.value().at(bytes.data());
         }
+        if (const auto end = check_end(*found.bytes); !end) return of_key(key, end.error());
         return all;
     }
     /// The texts of an array of unicode text, '<U12', of no or one axis. Requires: has(key).
@@ -223,6 +231,7 @@ Result<PictureReading> open_planes(const Archive& archive, const std::vector<std
                 const auto read = read_numbers(*plane.bytes, plane.format, plane.layout, plane.fortran_order, target,
                                                progress ? ReadProgress(share) : ReadProgress());
                 if (!read) return Archive::of_key(plane.key, read.error());
+                if (const auto end = check_end(*plane.bytes); !end) return Archive::of_key(plane.key, end.error());
             }
             return Done{};
         }};
@@ -319,6 +328,7 @@ Result<PictureReading> open_array(Archive archive, const std::string& key, std::
                               const auto read =
                                   read_numbers(*bytes, number, found, header.fortran_order, target, progress);
                               if (!read) return Archive::of_key(key, read.error());
+                              if (const auto end = check_end(*bytes); !end) return Archive::of_key(key, end.error());
                               if (found.may_be_mono) merge_equal_colors(target);
                               for (Stokes<double>& s : target.stokes) s = target.origin.convention.to_ours(s);
                               if (is_ours) return read_companions(archive, header.shape.back(), target);
