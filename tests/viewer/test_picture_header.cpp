@@ -82,7 +82,7 @@ TEST_F(HeaderPanel, HoverAndInspectorAndSphereSayThatS3WasNotMeasured) {
     PixelPanel pixel;
     expect_in(shown(pixel), "S3 was not measured: the ellipse is not known.");
     SpherePanel sphere;
-    expect_in(shown(sphere), "0 points");
+    expect_in(shown(sphere), "1 point;");  // of R, which has S3
 }
 
 }  // namespace
