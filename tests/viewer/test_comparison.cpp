@@ -92,7 +92,7 @@ TEST(Comparison, SaysWhyItIsNotPossible) {
     StokesImage other = known_picture();
     for (Band& band : other.bands) *band.wavelength_nm += 1.0;
     ASSERT_NO_FATAL_FAILURE(open_picture(session, other));
-    EXPECT_NE(session.compare().error().what.find("no light of"), std::string::npos);
+    EXPECT_NE(session.compare().error().what.find("has no band 501 nm"), std::string::npos);
 
     StokesImage elsewhere = known_picture();
     elsewhere.left = 8;
