@@ -82,7 +82,6 @@ LivePicture::LivePicture(const tev::CreateImage& message)
     for (const std::string& channel : message.channels) channels_[channel] = std::nullopt;
     const auto found = find_stokes_channels(message.channels, "", name_.layout);
     if (found) {
-        is_stokes_ = true;
         origin_ = found.value().origin;
         for (const BandChannels& one : found.value().bands) {
             for (unsigned s = 0; s < components.size(); ++s) {

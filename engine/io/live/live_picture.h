@@ -40,7 +40,6 @@ public:
     [[nodiscard]] const std::string& key() const { return key_; }
     /// What users read.
     [[nodiscard]] const std::string& name() const { return name_.shown; }
-    [[nodiscard]] bool is_stokes() const { return is_stokes_; }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
@@ -73,7 +72,6 @@ private:
     LiveName name_;
     int width_ = 0;
     int height_ = 0;
-    bool is_stokes_ = false;
     std::vector<Band> bands_;
     PictureOrigin origin_;
     std::map<std::string, std::optional<Slot>, std::less<>> channels_;  ///< all; empty: not shown
