@@ -272,6 +272,14 @@ std::optional<SharedArea> shared_area(const StokesImage& a, const StokesImage& b
     return SharedArea{{left - a.left, top - a.top, width, height}, {left - b.left, top - b.top, width, height}};
 }
 
+std::optional<std::size_t> comparable_band(const std::vector<Band>& ours, std::size_t band,
+                                           const std::vector<Band>& theirs) {
+    if (const auto same = matching_band(theirs, ours[band])) return same;
+    const auto is_lone = [](const std::vector<Band>& bands) { return bands.size() == 1 && !bands[0].wavelength_nm; };
+    if (is_lone(theirs)) return 0;
+    return is_lone(ours) ? std::optional(stand_in(theirs, {})) : std::nullopt;
+}
+
 Result<Pairing> pair_up(const StokesImage& a, const StokesImage& b, const std::string& band) {
     Pairing pairing;
     POL_TRY_DONE(place(a, b, pairing));

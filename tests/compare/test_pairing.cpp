@@ -338,5 +338,18 @@ TEST(Significance, StudentsDistributionIsThatOfTheTables) {
     EXPECT_NEAR(beyond_t(2.000, 60), 0.05, rounding);
 }
 
+TEST(Pairing, ALoneBandWithoutAWavelengthIsSubtractedFromWhatStandsInForIt) {
+    const std::vector<Band> mono{named_band("mono")};
+    const std::vector<Band> spectrum = bands_at({450.0, 570.0, 650.0});
+    const std::vector<Band> colors{named_band("R"), named_band("G"), named_band("B")};
+    EXPECT_EQ(comparable_band(spectrum, 2, mono), 0U);
+    EXPECT_EQ(comparable_band(mono, 0, spectrum), 1U) << "the one nearest to 580 nm";
+    EXPECT_EQ(comparable_band(mono, 0, {named_band("")}), 0U);
+    EXPECT_EQ(comparable_band(spectrum, 1, bands_at({570.0})), 0U);
+    EXPECT_FALSE(comparable_band(spectrum, 0, bands_at({570.0})));
+    EXPECT_EQ(comparable_band(colors, 2, colors), 2U);
+    EXPECT_FALSE(comparable_band(colors, 1, spectrum)) << "no wavelength is G";
+}
+
 }  // namespace
 }  // namespace pol::compare::test

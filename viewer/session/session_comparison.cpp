@@ -75,9 +75,9 @@ Result<Comparison> Session::compare() const {
         return refusal(fmt::format("{} and the reference {} are parts of a picture that share no pixel",
                                    document->name(), reference_->name()),
                        "compare parts that overlap");
-    const Band& band = a.bands[std::min(view_.band, a.bands.size() - 1)];
-    if (const auto found = matching_band(b.bands, band)) return Comparison{reference_, *found};
-    return refusal(fmt::format("the reference {} has no band {}", reference_->name(), band.label()),
+    const std::size_t band = std::min(view_.band, a.bands.size() - 1);
+    if (const auto found = compare::comparable_band(a.bands, band, b.bands)) return Comparison{reference_, *found};
+    return refusal(fmt::format("the reference {} has no band {}", reference_->name(), a.bands[band].label()),
                    "choose a band that both pictures have, or render them at the same wavelengths");
 }
 
