@@ -195,6 +195,10 @@ Result<Done> run(const Request& request) {
     const bool is_folder = request.map == "all" || is_standard;
     if (!is_folder) {
         if (const auto problem = output_problem(request.output, ".png", {request.path().string()})) return *problem;
+    } else if (std::error_code status;
+               fs::path(request.output).extension() == ".png" && !fs::is_directory(request.output, status)) {
+        return usage_error("--output", fmt::format("several pictures do not go into one file, {}", request.output),
+                           "name a folder, for example maps/");
     }
     POL_TRY(const auto image, request.input.read());
     if (is_standard) return write_wilkie_pictures(image, request);
