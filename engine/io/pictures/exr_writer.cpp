@@ -2,7 +2,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
@@ -15,7 +14,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +24,7 @@
 #include "io/pictures/exr_file.h"
 #include "io/pictures/exr_layout.h"
 #include "io/pictures/exr_origin.h"
+#include "io/pictures/exr_stream.h"
 #include "maps/color_picture.h"
 
 namespace pol {
@@ -36,23 +35,6 @@ namespace {
 float to_file_number(double value) {
     return static_cast<float>(value);
 }
-
-/// OpenEXR's view of an OutputFile.
-class ExrStream : public Imf::OStream {
-public:
-    ExrStream(OutputFile& file, const std::string& name) : Imf::OStream(name.c_str()), file_(file) {}
-
-    void write(const char bytes[], int count) override {
-        if (!file_.write(bytes, static_cast<std::size_t>(count))) throw std::runtime_error("write failed");
-    }
-    uint64_t tellp() override { return file_.position(); }
-    void seekp(uint64_t position) override {
-        if (!file_.seek(position)) throw std::runtime_error("seek failed");
-    }
-
-private:
-    OutputFile& file_;
-};
 
 /// A channel of the file and the rule that gives its value at a pixel.
 struct FloatChannel {
@@ -225,7 +207,7 @@ Result<Done> write_exr(const StokesImage& image, const std::filesystem::path& pa
     try {
         const std::vector<Rgb> preview = color_picture(image);
         const Channels channels = channels_of(image, preview);
-        ExrStream stream(file, path.string());
+        exr::OutputStream stream(file, path.string());
         Imf::OutputFile exr(stream, header_of(image, channels));
         write_pixels(exr, image, channels, progress);
     } catch (const std::exception& exception) {
