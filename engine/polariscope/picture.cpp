@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/pictures/exr_file.h"
+#include "io/pictures/picture_file.h"
 #include "maps/pixel_light.h"
 #include "polariscope/inside.h"
 #include "scene/check.h"
@@ -59,6 +60,16 @@ std::vector<std::string> Picture::bands() const {
     std::vector<std::string> labels;
     for (const pol::Band& band : data_->image.bands) labels.push_back(band.label());
     return labels;
+}
+
+bool Picture::is_measured(int component, int band) const {
+    const auto& bands = data_->image.bands;
+    if (component < 0 || component > 3 || band < 0 || static_cast<std::size_t>(band) >= bands.size()) return false;
+    return bands[static_cast<std::size_t>(band)].known.has(static_cast<unsigned>(component));
+}
+
+const std::vector<std::string>& Picture::assumed() const {
+    return data_->image.origin.assumed;
 }
 
 const std::map<std::string, std::string>& Picture::attributes() const {
@@ -133,9 +144,11 @@ Result<Picture> make_picture(int width, int height, const std::vector<double>& w
     });
 }
 
-Result<Picture> read_exr(const std::filesystem::path& file) {
+Result<Picture> read_picture(const std::filesystem::path& file) {
     return guarded([&]() -> Result<Picture> {
-        auto image = pol::read_exr(file);
+        pol::PictureSource source;
+        source.files = {file};
+        auto image = pol::read_picture(source);
         if (!image) return detail::outer(image.error());
         return Inside::pack(detail::PictureData{std::move(image).value()});
     });

@@ -32,6 +32,10 @@ public:
     [[nodiscard]] std::vector<double> wavelengths_nm() const;
     /// Of each band: "580 nm", or its name.
     [[nodiscard]] std::vector<std::string> bands() const;
+    /// True if the Stokes component (0 to 3) was measured in the band. Where not, its numbers are 0 and mean nothing.
+    [[nodiscard]] bool is_measured(int component, int band = 0) const;
+    /// What the reader had to take for granted, one sentence each.
+    [[nodiscard]] const std::vector<std::string>& assumed() const;
     /// What the file says about itself: scene, scene_hash, frame, settings ...
     [[nodiscard]] const std::map<std::string, std::string>& attributes() const;
 
@@ -59,11 +63,14 @@ private:
 Result<Picture> make_picture(int width, int height, const std::vector<double>& wavelengths_nm,
                              const std::vector<Stokes>& stokes);
 
-/// OpenEXR in the spectral layout of Fichet, Pacanowski & Wilkie, "An OpenEXR layout for spectral images", JCGT 10(3),
-/// 2021, by any renderer. Error (input): not such a file, truncated, too large.
-Result<Picture> read_exr(const std::filesystem::path& file);
+/// A Stokes picture of any program, told by its content: OpenEXR (the spectral layout, Mitsuba 3, wave_tracer, four
+/// files,
+/// ...), numpy, photographs behind polarizers, FITS. The numbers are turned into the convention of Stokes; assumed()
+/// says what the file does not. Error (input): none of these, truncated, too large, or several layouts fit.
+Result<Picture> read_picture(const std::filesystem::path& file);
 
-/// The same layout, 32-bit floats; what was there stays until all is written. Error (output): it cannot be written.
+/// OpenEXR in the spectral layout of Fichet, Pacanowski & Wilkie, "An OpenEXR layout for spectral images", JCGT 10(3),
+/// 2021, 32-bit floats; what was there stays until all is written. Error (output): it cannot be written.
 Result<Done> write_exr(const Picture& picture, const std::filesystem::path& file);
 
 }  // namespace polariscope

@@ -317,12 +317,29 @@ TEST(FrontDoor, StopsBeforeItBegins) {
     EXPECT_EQ(ps::render(endless_plan(), options).value().end, ps::RenderEnd::stopped);
 }
 
+TEST(FrontDoor, ReadsAPictureOfAPolarizationCamera) {
+    const ps::Picture camera =
+        ps::read_picture(std::filesystem::path(POL_TESTS_DIR) / "data/pictures/stokes_dialects/hw3_linear_f8.npy").value();
+    EXPECT_TRUE(camera.wavelengths_nm().empty());
+    EXPECT_TRUE(camera.is_measured(2));
+    EXPECT_FALSE(camera.is_measured(3));
+    EXPECT_FALSE(camera.assumed().empty());
+    // S1/S0 and S2/S0 of the pixel (0, 0), by hand from the file: 0.281908, 0.102606.
+    EXPECT_NEAR(ps::evaluate(camera, "dolp").value().values[0], std::hypot(0.281908, 0.102606), 1e-6);
+    EXPECT_EQ(ps::evaluate(camera, "dop").value().states[0], ps::PixelState::not_measured);
+}
+
 TEST(FrontDoor, ReadsThePictureThatItWrote) {
     const ps::Picture picture = ps::render(small_plan("crossed-polarizers")).value().picture;
     const auto file = file_here("picture.exr");
     ASSERT_TRUE(ps::write_exr(picture, file));
-    const ps::Picture again = ps::read_exr(file).value();
+    const ps::Picture again = ps::read_picture(file).value();
     EXPECT_EQ(again.wavelengths_nm(), picture.wavelengths_nm());
+    EXPECT_EQ(again.bands(), picture.bands());
+    EXPECT_TRUE(again.assumed().empty());
+    EXPECT_TRUE(again.is_measured(3));
+    EXPECT_FALSE(again.is_measured(4));
+    EXPECT_FALSE(again.is_measured(0, 1));
     EXPECT_EQ(again.attributes().at("scene"), "crossed-polarizers.yaml");
     const std::vector<ps::Stokes> before = picture.plane().value();
     const std::vector<ps::Stokes> after = again.plane().value();
@@ -342,7 +359,7 @@ TEST(FrontDoor, RefusesPicturesThatAreNone) {
     }
     const auto read_of = [&file](const std::string& content) {
         std::ofstream(file, std::ios::binary) << content;
-        return ps::read_exr(file);
+        return ps::read_picture(file);
     };
     ASSERT_TRUE(read_of(bytes));
     for (const std::size_t length :
@@ -354,7 +371,7 @@ TEST(FrontDoor, RefusesPicturesThatAreNone) {
         broken[at] = static_cast<char>(~broken[at]);
         static_cast<void>(read_of(broken));
     }
-    expect_error(ps::read_exr("/no/such/picture.exr"), ps::ErrorKind::input);
+    expect_error(ps::read_picture("/no/such/picture.exr"), ps::ErrorKind::input);
     expect_error(ps::write_exr(ps::make_picture(1, 1, {580.0}, {{}}).value(), "/no/such/folder/a.exr"),
                  ps::ErrorKind::output);
     expect_error(ps::make_picture(0, 1, {580.0}, {}), ps::ErrorKind::usage, "width, height");
