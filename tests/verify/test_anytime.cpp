@@ -43,7 +43,7 @@ TEST(Anytime, EndsWhenNobodyWaits) {
     StokesImage reference;
     reference.width = scene.render.width;
     reference.height = scene.render.height;
-    reference.wavelengths_nm = plan->wavelengths_nm;
+    reference.bands = bands_at(plan->wavelengths_nm);
     reference.stokes.assign(reference.pixel_count() * reference.bands.size(), {1.0, 0.0, 0.0, 0.0});
     reference.brightest.assign(reference.bands.size(), 1.0);
     EXPECT_TRUE(anytime_curve(plan, reference, 1, [](std::size_t) { return false; }).empty());

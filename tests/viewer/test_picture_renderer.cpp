@@ -29,7 +29,7 @@ StokesImage known_film() {
     StokesImage film;
     film.width = film_width;
     film.height = film_height;
-    film.wavelengths_nm = {460.0, 550.0, 620.0};
+    film.bands = bands_at({460.0, 550.0, 620.0});
     film.brightest = {1.5, 2.0, 1.0};
     std::mt19937 generator(7);
     const auto uniform = [&](double low, double high) {

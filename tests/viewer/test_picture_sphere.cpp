@@ -110,7 +110,7 @@ TEST(Sphere, PointsOfALargeRegionAreThinnedOut) {
     const auto points = sphere_points(ShownPicture(image, {}), 1, {0, 0, 100, 90}, 500);
     EXPECT_LE(points.size(), 510u);
     EXPECT_GE(points.size(), 200u);
-    EXPECT_EQ(points.front().wavelength, 1u);
+    EXPECT_EQ(points.front().band, 1u);
 }
 
 // By hand: Shift and drag around the right half of the sphere marks the pixels of the picture.

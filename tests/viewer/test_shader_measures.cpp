@@ -279,7 +279,7 @@ TEST_F(ShaderFormulas, EveryMapAgreesWithTheEngine) {
     StokesImage film;
     film.width = static_cast<int>(all.size());
     film.height = 1;
-    film.wavelengths_nm = {550.0};
+    film.bands = bands_at({550.0});
     film.brightest = {1.0};
     for (const Input& input : all) {
         film.stokes.push_back(stokes_of(input));
