@@ -49,10 +49,10 @@ Result<Done> run(const Request& request) {
     POL_TRY(const auto image, request.input.read());
     for (const fs::path& file : files_of_form(image, request.output, form.form))
         if (const auto problem = output_problem(file, form.ending, inputs)) return *problem;
-    for (const std::string& sentence : image.origin.assumed) say(request, "assumed: " + sentence);
-    for (const std::string& sentence : image.origin.remarks) say(request, "note: " + sentence);
     const FormOptions options{form.form, request.half, request.convention.over({})};
     POL_TRY(const auto lost, write_picture(image, request.output, options));
+    for (const std::string& sentence : image.origin.assumed) say(request, "assumed: " + sentence);
+    for (const std::string& sentence : image.origin.remarks) say(request, "note: " + sentence);
     for (const std::string& sentence : lost) say(request, "lost: " + sentence);
     return Done{};
 }

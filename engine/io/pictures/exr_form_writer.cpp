@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/files/output_file.h"
+#include "io/pictures/exr_layout.h"
 #include "io/pictures/exr_stream.h"
 #include "io/pictures/form_writing.h"
 #include "spectrum/color.h"
@@ -35,7 +36,7 @@ Result<Rounding> write_planes(const OutgoingPicture& picture, const std::filesys
     try {
         Imf::Header header(image.width, image.height);
         header.compression() = Imf::PIZ_COMPRESSION;
-        header.insert("polariscope.convention", Imf::StringAttribute(picture.options.convention.text()));
+        header.insert(exr::convention_attribute, Imf::StringAttribute(picture.options.convention.text()));
         for (const OutgoingPlane& plane : planes)
             header.channels().insert(plane.name, Imf::Channel(as_half ? Imf::HALF : Imf::FLOAT));
         exr::OutputStream stream(file, path.string());
@@ -88,8 +89,7 @@ Result<std::vector<Rgb>> color_shares(OutgoingPicture& picture) {
     if (!wavelengths.empty()) {
         picture.lost.emplace_back(
             "Wavelengths become linear sRGB by the CIE 1931 observer: R, G and B may be more than fully polarized "
-            "where "
-            "light is saturated, and the spectrum cannot be had back.");
+            "where light is saturated, and the spectrum cannot be had back.");
         return color_weights(wavelengths);
     }
     if (bands.size() == 1) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/pictures/convention_text.h"
 #include "io/pictures/exr_picture.h"
 
 namespace pol {
@@ -121,6 +122,21 @@ bool same_bands(const std::vector<Band>& a, const std::vector<Band>& b) {
 
 constexpr exr::Wish one_component{{}, true};
 
+/// The convention that all files name; none if none does. Error: some do, or they name others.
+Result<std::optional<StokesConvention>> convention_of_files(const FourFiles& files) {
+    std::optional<std::string> text;
+    for (const fs::path& path : files.paths) {
+        if (path.empty()) continue;
+        POL_TRY(const exr::Label label, exr::read_label(path));
+        if (text.value_or(label.convention) != label.convention)
+            return input_error(
+                path, fmt::format("has its numbers in another convention than {}", files.paths[0].filename().string()),
+                "the files of a picture have one convention: convert it again");
+        text = label.convention;
+    }
+    return convention_of(text.value_or(""));
+}
+
 Result<PictureHeader> header_of(const FourFiles& files) {
     POL_TRY(PictureHeader whole, exr::read_header(files.paths[0], one_component));
     StokesComponents known = StokesComponents::s0();
@@ -149,13 +165,17 @@ Result<PictureHeader> header_of(const FourFiles& files) {
     whole.origin = origin_of(files);
     whole.origin.convention.left_handed = is_left_handed;
     if (is_left_handed) std::erase(whole.origin.assumed, assumed_handedness);
+    POL_TRY(const auto convention, convention_of_files(files));
+    if (convention) {
+        whole.origin.convention = *convention;
+        whole.origin.assumed.clear();
+    }
     return whole;
 }
 
-void add_component(StokesImage& whole, const StokesImage& one, std::size_t s, bool is_left_handed) {
+void add_component(StokesImage& whole, const StokesImage& one, std::size_t s) {
     const auto component = exr::stokes_layers[s].component;
-    const double sign = s == 3 && is_left_handed ? -1.0 : 1.0;
-    for (std::size_t i = 0; i < whole.stokes.size(); ++i) whole.stokes[i].*component = sign * one.stokes[i].s0;
+    for (std::size_t i = 0; i < whole.stokes.size(); ++i) whole.stokes[i].*component = one.stokes[i].s0;
     whole.stored.bits = std::min(whole.stored.bits, one.stored.bits);
     if (whole.stored.lossy.empty()) whole.stored.lossy = one.stored.lossy;
 }
@@ -175,11 +195,12 @@ Result<StokesImage> read_four(const FourFiles& files, const ReadProgress& progre
             return input_error(files.paths[s],
                                fmt::format("does not lie where {} does", files.paths[0].filename().string()),
                                "the files of a picture have one data window");
-        add_component(whole, one, s, header.origin.convention.left_handed);
+        add_component(whole, one, s);
     }
     whole.bands = std::move(header.bands);
     whole.origin = std::move(header.origin);
     whole.attributes.clear();
+    for (Stokes<double>& s : whole.stokes) s = whole.origin.convention.to_ours(s);
     return whole;
 }
 

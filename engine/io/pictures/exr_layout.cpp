@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/result.h"
+#include "io/pictures/convention_text.h"
 #include "io/pictures/exr_channel.h"
 #include "io/pictures/exr_origin.h"
 #include "io/pictures/exr_parts.h"
@@ -130,6 +131,17 @@ Result<Layout> layout_of(const Parts& parts, const Wish& wish) {
     if (!handednesses.empty()) std::erase(origin.assumed, assumed_handedness);
     origin.convention.left_handed = layout.left_handed;
     POL_TRY_DONE(take_own_origin(parts, origin));
+
+    if (const std::vector<std::string> texts = parts.texts(convention_attribute); !texts.empty()) {
+        layout.convention = convention_of(texts.front());
+        if (texts.size() > 1 || !layout.convention)
+            return input_error(fmt::format("{} is not understood: '{}'", convention_attribute, texts.back()),
+                               "was it changed by another program? convert the picture again");
+        layout.left_handed = false;  // said once
+        origin.convention = *layout.convention;
+        std::erase(origin.assumed, assumed_axes);
+        std::erase(origin.assumed, assumed_handedness);
+    }
 
     const bool may_be_ours = layout.stokes.bands.front().band.wavelength_nm || !parts.text(bands_attribute).empty();
     if (!may_be_ours) return layout;  // "samples" of others is not what we mean by it

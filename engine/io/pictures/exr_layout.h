@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/result.h"
 #include "io/pictures/stokes_channels.h"
 #include "polarization/stokes.h"
+#include "polarization/stokes_convention.h"
 
 namespace pol::exr {
 
@@ -17,6 +19,8 @@ inline constexpr const char* attribute_prefix = "polariscope.";
 inline constexpr const char* wavelengths_attribute = "polariscope.wavelengths";
 inline constexpr const char* brightest_attribute = "polariscope.brightest";
 inline constexpr const char* frame_attribute = "polariscope.frame";
+/// StokesConvention::text() of the numbers, in files for other programs (write_mitsuba, write_four).
+inline constexpr const char* convention_attribute = "polariscope.convention";
 inline constexpr const char* part_attribute = "polariscope.part";
 inline constexpr const char* sampling_error_layer = "sampling_error";  ///< "sampling_error.S0.580,000000nm"
 inline constexpr const char* handedness_attribute = "polarisationHandedness";
@@ -42,6 +46,7 @@ struct Layout {
     std::vector<std::array<std::string, 4>> sampling_error;  ///< by band, or none
     std::vector<std::string> counts;                         ///< "samples", "failures"
     bool left_handed = false;
+    std::optional<StokesConvention> convention;  ///< of the numbers, where the file names one
 
     [[nodiscard]] std::vector<std::string> stokes_channels() const;
     /// All that is read, those of S0 first.

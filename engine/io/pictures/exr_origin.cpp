@@ -19,7 +19,7 @@ namespace pol::exr {
 namespace {
 
 constexpr const char* layout_attribute = "polariscope.origin.layout";
-constexpr const char* convention_attribute = "polariscope.origin.convention";
+constexpr const char* origin_convention_attribute = "polariscope.origin.convention";
 constexpr const char* assumed_attribute = "polariscope.origin.assumed";
 constexpr const char* remarks_attribute = "polariscope.origin.remarks";
 
@@ -158,7 +158,8 @@ std::map<std::string, std::string> own_attributes(const StokesImage& image) {
     if (!is_spectral) attributes[bands_attribute] = bands_text(image.bands);
     const PictureOrigin& origin = image.origin;
     if (!origin.layout.empty()) attributes[layout_attribute] = origin.layout;
-    if (origin.convention != StokesConvention{}) attributes[convention_attribute] = convention_text(origin.convention);
+    if (origin.convention != StokesConvention{})
+        attributes[origin_convention_attribute] = convention_text(origin.convention);
     if (!origin.assumed.empty()) attributes[assumed_attribute] = escaped_lines(origin.assumed);
     if (!origin.remarks.empty()) attributes[remarks_attribute] = escaped_lines(origin.remarks);
     if (image.stored.bits != StoredNumbers{}.bits || !image.stored.lossy.empty())
@@ -168,7 +169,8 @@ std::map<std::string, std::string> own_attributes(const StokesImage& image) {
 
 bool is_own_attribute(std::string_view name) {
     return name == bands_attribute || name == stored_attribute || name == layout_attribute ||
-           name == convention_attribute || name == assumed_attribute || name == remarks_attribute;
+           name == convention_attribute || name == origin_convention_attribute || name == assumed_attribute ||
+           name == remarks_attribute;
 }
 
 Result<StokesChannels> own_channels(std::string_view bands, const std::vector<std::string>& names) {
@@ -195,9 +197,9 @@ Result<StokesChannels> own_channels(std::string_view bands, const std::vector<st
 
 Result<Done> take_own_origin(const Parts& parts, PictureOrigin& origin) {
     if (std::string layout = parts.text(layout_attribute); !layout.empty()) origin.layout = std::move(layout);
-    if (const std::string text = parts.text(convention_attribute); !text.empty()) {
+    if (const std::string text = parts.text(origin_convention_attribute); !text.empty()) {
         const auto convention = convention_of(text);
-        if (!convention) return not_understood(convention_attribute, text);
+        if (!convention) return not_understood(origin_convention_attribute, text);
         origin.convention = *convention;
     }
     for (std::string& line : unescaped_lines(parts.text(assumed_attribute))) origin.assumed.push_back(std::move(line));

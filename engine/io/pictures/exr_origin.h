@@ -28,7 +28,7 @@ std::vector<std::string> band_suffixes(const std::vector<Band>& bands);
 /// The attributes above of a picture, those that it needs: none for wavelengths of which all is measured and made here.
 std::map<std::string, std::string> own_attributes(const StokesImage& image);
 
-/// True for the names of own_attributes.
+/// True for the names of own_attributes, and for convention_attribute: it is of the numbers of one file.
 bool is_own_attribute(std::string_view name);
 
 /// The channels that `polariscope.bands` tells of. Error (kind input, without a place): not of that form, or a channel

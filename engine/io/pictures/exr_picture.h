@@ -30,6 +30,7 @@ namespace exr {
 struct Label {
     std::vector<std::string> channels;  ///< of all parts, ascending
     std::string renderer;               ///< wave_tracer writes one
+    std::string convention;             ///< polariscope convert writes one
 };
 Result<Label> read_label(const std::filesystem::path& path);
 

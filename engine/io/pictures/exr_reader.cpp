@@ -161,6 +161,8 @@ Result<StokesImage> read_planes(Imf::MultiPartInputFile& file, Plan plan, const 
     }
     if (!reader.read(file, progress)) return input_error("was stopped");
     if (layout.stokes.may_be_mono) merge_equal_colors(image);
+    if (layout.convention)
+        for (Stokes<double>& s : image.stokes) s = layout.convention->to_ours(s);
     return image;
 }
 
@@ -204,7 +206,7 @@ namespace exr {
 Result<Label> read_label(const std::filesystem::path& path) {
     return opened(path, [](Imf::MultiPartInputFile& file) -> Result<Label> {
         const Parts parts(file);
-        return Label{parts.names(), parts.text("renderer")};
+        return Label{parts.names(), parts.text("renderer"), parts.text(convention_attribute)};
     });
 }
 
