@@ -3,7 +3,7 @@
 # Builds the fuzz targets and runs them. See --help.
 set -uo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd -P)
-every_kind=(scene mesh index texture exr live)
+every_kind=(scene mesh index texture exr array live)
 
 usage() {
     cat <<END
@@ -61,6 +61,7 @@ fuzz() {
     scene) cp "$root"/assets/scenes/*.yaml "$corpus" ;;
     index) cp "$root"/assets/refractive_index/*.yml "$corpus" ;;
     texture) cp "$root"/assets/textures/*.png "$corpus" ;;
+    array) cp "$root"/tests/data/pictures/stokes_dialects/*.{npy,npz,png,fits} "$corpus" ;;
     esac
     "${unrandomized[@]}" "$build/tests/fuzz/polariscope_fuzz_$kind" -max_total_time="$seconds" -timeout=60 -report_slow_units=60 \
         -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$build/findings/$kind-" "$corpus" </dev/null >"$log" 2>&1 || {
