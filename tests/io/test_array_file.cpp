@@ -291,5 +291,68 @@ TEST(Photographs, AreS0AloneUnlessAMosaicIsAskedFor) {
     EXPECT_EQ(read.value().origin.layout, "photograph");
 }
 
+/// A PNG with one more chunk behind its header.
+std::string with_chunk(const std::string& png, const std::string& type, const std::string& data) {
+    const std::string content = type + data;
+    std::uint32_t crc = ~0U;  // ISO 3309, a bit at a time
+    for (const char c : content) {
+        crc ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc & 1U) != 0 ? crc >> 1U ^ 0xedb88320U : crc >> 1U;
+    }
+    const auto big_endian = [](std::uint32_t number) {
+        std::string bytes;
+        for (unsigned i = 4; i-- > 0;) bytes += static_cast<char>(number >> 8U * i & 0xffU);
+        return bytes;
+    };
+    constexpr std::size_t behind_header = 8 + 25;
+    return png.substr(0, behind_header) + big_endian(static_cast<std::uint32_t>(data.size())) + content +
+           big_endian(~crc) + png.substr(behind_header);
+}
+const std::string linear_gamma("\x00\x01\x86\xa0", 4);  // gAMA counts in 100000ths: 1.0
+const std::string half_gamma("\x00\x00\xc3\x50", 4);    // 0.5
+
+TEST_F(ArrayFile, APhotographBecomesLightAsItsFileSays) {
+    const std::string png = bytes_of(sample("four_000.png"));
+    const auto light = [&](const std::string& bytes) {
+        const auto read = read_array_picture(source_of(write("one.png", bytes)));
+        EXPECT_TRUE(read) << to_string(read.error());
+        return read.value();
+    };
+    const StokesImage linear = light(with_chunk(png, "gAMA", linear_gamma));
+    EXPECT_TRUE(linear.origin.assumed.empty());
+    EXPECT_FALSE(says(linear.origin.remarks, "decoded"));
+    const StokesImage squared = light(with_chunk(png, "gAMA", half_gamma));
+    EXPECT_TRUE(says(squared.origin.remarks, "gAMA of 0.5"));
+    const StokesImage srgb = light(with_chunk(png, "sRGB", std::string(1, '\0')));
+    EXPECT_TRUE(says(srgb.origin.remarks, "by the sRGB curve, as the file says"));
+    const StokesImage silent = light(png);
+    EXPECT_TRUE(says(silent.origin.assumed, "by the sRGB curve: the file does not say"));
+    for (std::size_t i = 0; i < linear.stokes.size(); ++i) {
+        const double code = linear.stokes[i].s0;
+        EXPECT_NEAR(code * 65535.0, std::round(code * 65535.0), 1e-9);
+        EXPECT_NEAR(squared.stokes[i].s0, code * code, 1e-15);
+        // IEC 61966-2-1
+        const double decoded = code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+        EXPECT_NEAR(srgb.stokes[i].s0, decoded, 1e-15);
+        EXPECT_EQ(silent.stokes[i].s0, srgb.stokes[i].s0);
+    }
+}
+
+TEST_F(ArrayFile, OfGammaEncodedPhotographsBehindPolarizersTheStokesNumbersAreCalledMeaningless) {
+    const auto set = [&](const std::string& type, const std::string& data) {
+        for (const char* angle : {"000", "045", "090", "135"}) {
+            const std::string png = bytes_of(sample(std::string("four_") + angle + ".png"));
+            write(std::string("x_") + angle + ".png", type.empty() ? png : with_chunk(png, type, data));
+        }
+        return read_array_picture(source_of(path("x_000.png"))).value().origin;
+    };
+    EXPECT_TRUE(says(set("gAMA", half_gamma).remarks, "meaningless in gamma-encoded files"));
+    EXPECT_TRUE(says(set("sRGB", std::string(1, '\0')).remarks, "meaningless in gamma-encoded files"));
+    const PictureOrigin linear = set("gAMA", linear_gamma);
+    EXPECT_FALSE(says(linear.remarks, "gamma"));
+    EXPECT_FALSE(says(linear.assumed, "proportional"));
+    EXPECT_TRUE(says(set("", "").assumed, "proportional to light"));
+}
+
 }  // namespace
 }  // namespace pol
