@@ -5,15 +5,18 @@ import json
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
 from window import PATIENCE_S, SCENES, Display, Window, missing_tools, without_a_display
 
 PROGRAM = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
+DATA = Path(__file__).resolve().parents[1] / "data"
 MAP_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "d", "shift+d"]
 
 # One sample and no dispersion, so that the picture is what `explain` says of sample 0.
@@ -248,6 +251,72 @@ class EndToEnd(unittest.TestCase):
         run = subprocess.run([PROGRAM, "view", self.scene], env=without_a_display(), capture_output=True, text=True, timeout=60)
         self.assertEqual(run.returncode, 2)
         self.assertIn("polariscope render", run.stderr)
+
+    # Pictures of other programs --------------------------------------------------------------------------------------
+
+    def listening(self, *arguments):
+        """A window that listens on a port of its own: (window, port)."""
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        return self.open("--listen", f"127.0.0.1:{port}", *arguments), port
+
+    def test_a_picture_that_another_program_sends_is_shown(self):
+        window, port = self.listening(self.scene)
+        vectors = json.loads((DATA / "tev_messages/messages.json").read_text())
+        sent = {vector["name"]: bytes.fromhex(vector["hex"]) for vector in vectors["good"]}
+        with socket.create_connection(("127.0.0.1", port)) as client:
+            for bad in vectors["bad"]:
+                if not bad["name"].startswith("length"):  # those close the connection
+                    client.sendall(bytes.fromhex(bad["hex"]))
+            for name in ("create_stokes", "update_v3_all", "vector_graphics"):
+                client.sendall(sent[name])
+            window.wait_for(lambda w: w.state["documents"] == 2, "the picture that was sent")
+        window.key("Page_Down")
+        self.assertIn("stokes", window.text)
+        self.assertEqual(window.end(), 0)
+
+    def test_a_picture_of_tevclient_is_shown(self):
+        try:
+            import tevclient
+            import numpy
+        except ImportError as missing:
+            self.skipTest(f"{missing.name} is not installed")
+        window, port = self.listening(self.scene)
+        with tevclient.Ipc("127.0.0.1", port) as client:
+            names = ["S0", "S1", "S2", "S3"]
+            client.create_image("from python", 300, 200, names)
+            light = numpy.zeros((200, 300, 4), dtype=numpy.float32)
+            light[..., 0], light[..., 1] = 2.0, 1.0
+            client.update_image("from python", light, names)  # in tiles of 128 x 128
+            window.wait_for(lambda w: w.state["documents"] == 2, "the picture that was sent")
+        window.key("3")
+        window.wait_for(lambda w: "from python" in w.text, "its name")
+        window.click_pixel(299, 199)
+        window.wait_for(lambda w: 0.5 in w.numbers(), "the degree of polarization of its last tile")
+
+    def test_ours_and_a_picture_of_mitsuba_side_by_side_with_the_verdict(self):
+        mitsuba = DATA / "pictures/mitsuba_exr/mono_luminance_f32.exr"
+        ours = self.folder / "ours.exr"
+        subprocess.run([PROGRAM, "render", DATA / "pictures/mitsuba_exr/spheres.yaml", "--size", "64x64", "--mode",
+                        "area", "--spp", "16", "-o", ours, "--quiet"], check=True)
+        window = self.open(ours, mitsuba)
+        self.assertEqual(window.state["document"], str(mitsuba))
+        window.key("Page_Up")
+        self.assertEqual(window.state["document"], str(ours))
+        window.key("shift+x", "Page_Down", "5")
+        looks = [window.picture()]
+        for keys in (["w"], ["w", "shift+w"], ["shift+w", "x"]):
+            window.key(*keys)
+            time.sleep(0.5)
+            looks.append(window.picture())
+        self.assertEqual(len(set(looks)), 4, "alone, wipe, side by side and difference look different")
+        window.key("v")
+        window.wait_for(lambda w: "same convention" in w.text, "the doctor's verdict")
+        window.click("tab Picture")
+        self.assertIn("Mitsuba 3, mono", window.text)
+        window.key("ctrl+1")
+        self.assertEqual(window.state["document"], str(ours))
 
 
 if __name__ == "__main__":
