@@ -33,6 +33,7 @@ struct CompareRequest {
     std::vector<std::string> files;  ///< A, then B; with a scene B alone will do
     std::string scene;
     std::string band;
+    std::optional<double> tolerance;
     bool adopt = false;
     bool json = false;
     PictureOptions a;
@@ -56,6 +57,13 @@ int render_box(const StokesImage& picture) {
     return 1;
 }
 
+/// Enough for the color of a scene that was written for one wavelength: 380 to 780 nm in steps of 20 nm.
+std::vector<double> wavelengths_of_colors() {
+    std::vector<double> wavelengths;
+    for (int nm = 380; nm <= 780; nm += 20) wavelengths.push_back(nm);
+    return wavelengths;
+}
+
 /// Our picture of the scene, to hold against `other`.
 Result<StokesImage> render_for(Scene scene, const fs::path& file, const StokesImage& other) {
     const int box = render_box(other);
@@ -63,6 +71,8 @@ Result<StokesImage> render_for(Scene scene, const fs::path& file, const StokesIm
     scene.render.height = (other.whole_height > 0 ? other.whole_height : other.height) / box;
     if (std::vector<double> wavelengths = wavelengths_of(other.bands); !wavelengths.empty())
         scene.render.wavelengths_nm = std::move(wavelengths);
+    else if (rgb_bands(other.bands) && scene.render.wavelengths_nm.size() == 1)
+        scene.render.wavelengths_nm = wavelengths_of_colors();
     POL_TRY(auto plan, compile(scene));
     StokesImage image = render_to_end(std::move(plan)).picture;
     for (auto& [name, text] : picture_attributes(scene, scene.render.samples_per_pixel, file))
@@ -97,6 +107,9 @@ std::optional<Error> share_files(CompareRequest& request) {
         request.a.files = {files.front()};
         files.erase(files.begin());
     }
+    if (files.size() > 1 && request.b.angles.empty())
+        return usage_error(fmt::format("{} pictures are named, but two are compared", files.size() + 1),
+                           "leave some out; --angles takes several files for B");
     request.b.files = std::move(files);
     if (request.b.files.empty() && request.b.stokes.empty())
         return usage_error("there is one picture only",
@@ -104,7 +117,24 @@ std::optional<Error> share_files(CompareRequest& request) {
     return std::nullopt;
 }
 
+std::optional<Error> wrong_options(const CompareRequest& request) {
+    if (request.tolerance && !(*request.tolerance >= 0.0))
+        return Error{ErrorKind::usage, "is no share of the light", {}, "--tolerance", "for example 0.02 for 2 %"};
+    if (!request.scene.empty() && is_picture_name(request.scene))
+        return Error{ErrorKind::usage,
+                     fmt::format("'{}' is a picture", request.scene),
+                     {},
+                     "--scene",
+                     "name the scene that the pictures show; pictures stand without an option"};
+    for (const std::string& file : request.files)
+        if (fs::path(file).extension() == ".yaml")
+            return usage_error(fmt::format("'{}' is a scene, not a picture", file),
+                               fmt::format("to render ours from it: --scene {}", file));
+    return std::nullopt;
+}
+
 int run(CompareRequest& request) {
+    if (const auto problem = wrong_options(request)) return report(*problem);
     if (const auto problem = share_files(request)) return report(*problem);
     std::optional<Scene> scene;
     if (!request.scene.empty()) {
@@ -127,6 +157,7 @@ int run(CompareRequest& request) {
     found.a = described(is_rendered ? request.scene : name_of(request.a), a.value());
     found.b = described(name_of(request.b), b.value());
     found.remarks = pairing.value().remarks;
+    found.tolerance = request.tolerance;
     for (const compare::BandPair& pair : pairing.value().bands) found.compared_bands.push_back(pair.label);
     found.box = pairing.value().box_a;
     found.left = a.value().left + pairing.value().in_a.x;
@@ -147,7 +178,7 @@ int run(CompareRequest& request) {
         }
     }
     fmt::print("{}", request.json ? comparison_json(found) : comparison_text(found));
-    return found.is_same() ? 0 : pictures_differ;
+    return found.is_same() || found.is_within_tolerance() ? 0 : pictures_differ;
 }
 
 }  // namespace
@@ -165,10 +196,16 @@ void add_compare_command(ProgramCommand app, int& exit_code) {
         .add_option(
             "--scene", request->scene,
             "The scene that both show. Without A ours is rendered from it, with its settings, of boxes of B's pixels "
-            "such that it is at most 64 x 64. Its field of view tells frames that depend on the pixel")
+            "such that it is at most 64 x 64; at 21 wavelengths if B has R, G, B and the scene one. Its field of view "
+            "tells frames that depend on the pixel")
         .type_name("NAME.yaml");
     command.add_option("--band", request->band, "Compare this one only: a wavelength, or a name such as R")
         .type_name("BAND");
+    command
+        .add_option("--tolerance", request->tolerance,
+                    "Exit 0, too, if they are no farther apart than this share of the light: fro_c, of the components "
+                    "that both have")
+        .type_name("FRO_C");
     command.add_flag("--adopt", request->adopt,
                      "Take B to be written in the convention that explains it, if there is one");
     command.add_flag("--json", request->json, "Print JSON");
@@ -181,13 +218,16 @@ void add_compare_command(ProgramCommand app, int& exit_code) {
         "bars\n"
         "of the pictures explain all differences, each Stokes component by itself. Nothing else counts as the same: a "
         "picture\n"
-        "without error bars of its own, such as Mitsuba's, differs by its noise; fro_c says how much.\n"
-        "\nExit codes: 0 the same (with --adopt: once the convention is adopted); 5 they differ, also if only the "
-        "convention\n"
-        "does.\n"
+        "without error bars of its own, such as Mitsuba's, differs by its noise; fro_c says how much, and --tolerance "
+        "how much\n"
+        "may be; another convention or another polarization it never excuses.\n"
+        "\nExit codes: 0 the same, or within --tolerance (with --adopt: once the convention is adopted); 5 they "
+        "differ, also if\n"
+        "only the convention does.\n"
         "\nExamples:\n"
         "  polariscope compare ours.exr mitsuba.exr\n"
         "  polariscope compare ours.exr mitsuba.exr --adopt --json\n"
+        "  polariscope compare ours.exr mitsuba.exr --tolerance 0.02\n"
         "  polariscope compare mitsuba.exr --scene assets/scenes/cube-calcite.yaml\n"
         "  polariscope compare ours.exr p000.png p045.png p090.png p135.png --angles 0,45,90,135");
     command.callback([request, &exit_code] { exit_code = run(*request); });

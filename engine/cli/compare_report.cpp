@@ -90,19 +90,40 @@ std::string worst_text(const ComparisonReport& report, const WorstPixel& worst) 
                        light(worst.b));
 }
 
-std::string agreement_text(const Agreement& agreement) {
-    if (agreement.is_same()) {
+/// Why noise is a difference, if it is.
+std::string about_noise(const std::optional<compare::Significance>& significance) {
+    if (!significance) return "Neither picture has error bars: their noise is a difference";
+    if (!significance->b_has_bars) return "B has no error bars: its noise is a difference";
+    if (!significance->a_has_bars) return "A has no error bars: its noise is a difference";
+    return {};
+}
+
+std::string agreement_text(const ComparisonReport& report) {
+    const Agreement& agreement = report.distance->agreement;
+    const std::string alone = report.verdict.judged == StokesComponents() ? " in S0, which both know" : "";
+    if (report.is_same()) {
         if (agreement.identical == agreement.values)
-            return fmt::format("SAME: all {} numbers are equal.\n", agreement.values);
+            return fmt::format("SAME{}: all {} numbers are equal.\n", alone, agreement.values);
         if (agreement.beyond_rounding == 0)
-            return fmt::format("SAME: all {} numbers, {} of them within rounding and untraced light.\n",
+            return fmt::format("SAME{}: all {} numbers, {} of them within rounding and untraced light.\n", alone,
                                agreement.values, agreement.values - agreement.identical);
-        return "SAME: all differences are chance by the error bars.\n";
+        return fmt::format("SAME{}: all differences are chance by the error bars.\n", alone);
     }
-    std::string text = fmt::format("DIFFERENT: {} of {} numbers differ by more than rounding and untraced light.\n",
-                                   agreement.beyond_rounding, agreement.values);
     if (agreement.not_finite > 0)
-        text += fmt::format("{} numbers are finite in one picture only.\n", agreement.not_finite);
+        return fmt::format("DIFFERENT: {} of {} numbers are finite in one picture only, {} others differ.\n",
+                           agreement.not_finite, agreement.values, agreement.beyond_rounding);
+    const std::string apart = fmt::format("{:.2g} % of the light", 100.0 * agreement.distance);
+    if (report.is_within_tolerance())
+        return fmt::format("WITHIN TOLERANCE{}: they are apart by {}, {:.6g} % is allowed.\n", alone, apart,
+                           100.0 * *report.tolerance);
+    std::string text =
+        fmt::format("DIFFERENT{}: by {}; {} of {} numbers differ by more than rounding and untraced light.\n", alone,
+                    apart, agreement.beyond_rounding, agreement.values);
+    if (report.tolerance)
+        return text + fmt::format("    {:.6g} % is allowed{}.\n", 100.0 * *report.tolerance,
+                                  report.has_our_convention() ? "" : ", but not what the sentence above says");
+    if (const std::string noise = about_noise(agreement.significance); !noise.empty())
+        text += fmt::format("    {}. --tolerance says how much is allowed.\n", noise);
     return text;
 }
 
@@ -174,7 +195,8 @@ ordered_json json_of(const ComparisonReport& report, const Agreement& agreement)
     ordered_json out{{"numbers", agreement.values},
                      {"equal", agreement.identical},
                      {"beyond_rounding", agreement.beyond_rounding},
-                     {"not_finite", agreement.not_finite}};
+                     {"not_finite", agreement.not_finite},
+                     {"distance", agreement.distance}};
     if (agreement.significance) {
         ordered_json bars{{"of_a", agreement.significance->a_has_bars}, {"of_b", agreement.significance->b_has_bars}};
         for (unsigned i = 0; i < 4; ++i) {
@@ -210,6 +232,28 @@ std::string options_text(const StokesConvention& convention) {
 
 }  // namespace
 
+bool ComparisonReport::has_our_convention() const {
+    switch (verdict.finding) {
+        case compare::Finding::same_convention:
+        case compare::Finding::unpolarized:
+        case compare::Finding::not_measured:
+        case compare::Finding::nothing_in_common:
+            return true;
+        case compare::Finding::explained:
+            return adopted;
+        case compare::Finding::disagree:
+        case compare::Finding::another_picture:
+        case compare::Finding::one_unpolarized:
+            return false;
+    }
+    return false;
+}
+
+bool ComparisonReport::is_within_tolerance() const {
+    return distance && tolerance && distance->agreement.not_finite == 0 && distance->agreement.values > 0 &&
+           distance->agreement.distance <= *tolerance && has_our_convention();
+}
+
 std::string comparison_text(const ComparisonReport& report) {
     std::string text = text_of("A", report.a) + text_of("B", report.b);
     for (const std::string& one : report.remarks) text += fmt::format("note: {}\n", printable(one));
@@ -230,7 +274,7 @@ std::string comparison_text(const ComparisonReport& report) {
     text += "\n";
     if (distance.agreement.worst && distance.agreement.worst->distance > 0.0)
         text += worst_text(report, *distance.agreement.worst);
-    return text + agreement_text(distance.agreement);
+    return text + agreement_text(report);
 }
 
 std::string comparison_json(const ComparisonReport& report) {
@@ -247,6 +291,10 @@ std::string comparison_json(const ComparisonReport& report) {
         out["numbers"] = json_of(report, report.distance->agreement);
     }
     out["same"] = report.is_same();
+    if (report.tolerance) {
+        out["tolerance"] = *report.tolerance;
+        out["within_tolerance"] = report.is_within_tolerance();
+    }
     return out.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -41,11 +41,16 @@ struct ComparisonReport {
     std::optional<Distance> distance;
     std::optional<ErrorMetrics> with_adoptable;  ///< what it would be
     std::vector<std::string> compared_bands;
-    int box = 1;   ///< pixels of A along a side of what is compared
-    int left = 0;  ///< pixel of A's whole picture at which that begins
+    std::optional<double> tolerance;  ///< Agreement::distance up to which the user takes them for the same
+    int box = 1;                      ///< pixels of A along a side of what is compared
+    int left = 0;                     ///< pixel of A's whole picture at which that begins
     int top = 0;
 
     [[nodiscard]] bool is_same() const { return distance && distance->agreement.is_same(); }
+    /// Never where the polarizations contradict each other: a weak component hardly counts in a distance.
+    [[nodiscard]] bool is_within_tolerance() const;
+    /// The doctor found nothing wrong with the polarization of B, or that was adopted.
+    [[nodiscard]] bool has_our_convention() const;
 };
 
 std::string comparison_text(const ComparisonReport& report);

@@ -182,17 +182,19 @@ Agreement agreement(const CommonPictures& pictures) {
     POL_EXPECTS(a.width == b.width && a.height == b.height && a.bands.size() == b.bands.size());
     Agreement result;
     const Tolerance tolerance(pictures);
+    double differences = 0.0, light = 0.0;
     for (std::size_t band = 0; band < a.bands.size(); ++band) {
         const StokesComponents known = known_in_both(pictures, band);
         for (std::size_t p = 0; p < a.pixel_count(); ++p) {
             const std::size_t v = band * a.pixel_count() + p;
-            double square = 0.0;
+            double square = 0.0, square_a = 0.0;
             for (unsigned i = 0; i < 4; ++i) {
                 if (!known.has(i)) continue;
                 const double x = component(a.stokes[v], i);
                 const double y = component(b.stokes[v], i);
                 const double apart = std::abs(x - y);
                 square += apart * apart / 2.0;
+                square_a += x * x / 2.0;
                 ++result.values;
                 if (x == y || (std::isnan(x) && std::isnan(y)))
                     ++result.identical;
@@ -202,7 +204,10 @@ Agreement agreement(const CommonPictures& pictures) {
                     ++result.beyond_rounding;
             }
             const double distance = std::sqrt(square);
-            if (!std::isfinite(distance) || (result.worst && distance <= result.worst->distance)) continue;
+            if (!std::isfinite(distance)) continue;
+            differences += square;
+            light += square_a;
+            if (result.worst && distance <= result.worst->distance) continue;
             result.worst = WorstPixel{static_cast<int>(p % static_cast<std::size_t>(a.width)),
                                       static_cast<int>(p / static_cast<std::size_t>(a.width)),
                                       band,
@@ -211,6 +216,8 @@ Agreement agreement(const CommonPictures& pictures) {
                                       b.stokes[v]};
         }
     }
+    if (differences > 0.0)
+        result.distance = light > 0.0 ? std::sqrt(differences / light) : std::numeric_limits<double>::infinity();
     if (a.sampling_error.empty() && b.sampling_error.empty()) return result;
     Significance significance;
     significance.a_has_bars = !a.sampling_error.empty();

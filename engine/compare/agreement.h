@@ -64,8 +64,11 @@ struct WorstPixel {
 struct Agreement {
     std::size_t values = 0;
     std::size_t identical = 0;
-    std::size_t beyond_rounding = 0;           ///< finite in both and not the same
-    std::size_t not_finite = 0;                ///< in one of them only, or different
+    std::size_t beyond_rounding = 0;  ///< finite in both and not the same
+    std::size_t not_finite = 0;       ///< in one of them only, or different
+    /// sqrt(sum |dC|_F^2 / sum |C_A|_F^2) of the components that both know, where all of a pixel are finite: fro_c
+    /// (error_metrics.h) if they know all. Infinite if A is black there and B is not.
+    double distance = 0.0;
     std::optional<Significance> significance;  ///< where either has error bars
     std::optional<WorstPixel> worst;           ///< empty: no number is finite in both
 

@@ -171,7 +171,9 @@ Result<Done> pair_bands(const std::vector<Band>& a, const std::vector<Band>& b, 
                      fmt::format("the bands do not fit: A has {}; B has {}", labels_of(a), labels_of(b)),
                      {},
                      {},
-                     "render ours at the wavelengths of the other (--wavelengths)"};
+                     rgb_bands(a) || rgb_bands(b)
+                         ? "colors need several wavelengths: render ours with --wavelengths 380:780:20"
+                         : "render ours at the wavelengths of the other (--wavelengths)"};
     if (!is_chosen) {
         const std::string all = join(
             [&] {
