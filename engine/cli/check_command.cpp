@@ -98,6 +98,7 @@ ordered_json as_json(const std::string& file, const StokesImage& image, const Im
                      {"height", image.height},
                      {"first_pixel", {image.left, image.top}},
                      {"bits", image.stored.bits},
+                     {"spacing", image.stored.spacing},
                      {"lossy_compression", image.stored.lossy},
                      {"bands", band_names(image)},
                      {"layout", image.origin.layout},

@@ -3,6 +3,7 @@
 // of the renderer, the files and the maps.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -19,11 +20,16 @@ namespace pol {
 struct StoredNumbers {
     int bits = 32;      ///< of a number: 32, 24 (a float cut short by PXR24) or 16 (a half)
     std::string lossy;  ///< a compression that changes numbers by more than that, by no simple bound: "B44"
+    /// Distance of neighbours where numbers were made from whole ones, a camera's counts, so that each is off by at
+    /// most half of it, however small it is; 0: from floats.
+    double spacing = 0.0;
 
     /// Largest relative error by rounding to nearest: half a unit in the last of 24, 16 or 11 significant bits.
     [[nodiscard]] double rounding() const { return bits == 32 ? 0x1p-24 : bits == 24 ? 0x1p-16 : 0x1p-11; }
-    /// Spacing of the smallest numbers, which have no relative precision.
-    [[nodiscard]] double step() const { return bits == 32 ? 0x1p-149 : bits == 24 ? 0x1p-141 : 0x1p-24; }
+    /// Distance of neighbours among the smallest numbers, which have no relative precision.
+    [[nodiscard]] double step() const {
+        return std::max(spacing, bits == 32 ? 0x1p-149 : bits == 24 ? 0x1p-141 : 0x1p-24);
+    }
 };
 
 /// What a reader knows of a picture that it read beside the numbers. A picture made here has an empty one.

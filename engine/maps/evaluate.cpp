@@ -87,8 +87,9 @@ double unphysical_part(const PixelLight& light) {
     const double polarized = polarized_part(s);
     if (!std::isfinite(s.s0) || !std::isfinite(polarized)) return std::numeric_limits<double>::quiet_NaN();
     if (s.s0 == 0.0 && polarized == 0.0) return 0.0;
-    const double excess = (polarized - s.s0) / (polarized + std::abs(s.s0));
-    return excess > light.rounding ? excess : 0.0;
+    const double excess = polarized - s.s0;
+    const double size = polarized + std::abs(s.s0);
+    return excess > light.rounding * size + 2.0 * light.step ? excess / size : 0.0;
 }
 
 Result<double> white_of(const Band& band) {

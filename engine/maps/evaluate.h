@@ -58,7 +58,8 @@ inline constexpr double full_weight_polarization = 0.05;
 inline constexpr double pixel_noise = noise_threshold(1000.0);
 
 /// How far light is from being some, 0 if it is; NaN unless finite. A picture file rounds S0 and the polarized part by
-/// at most PixelLight::rounding each, which changes the quotient by at most as much: less than that is 0.
+/// at most PixelLight::rounding each, which changes the quotient by at most as much, and whole numbers are off by at
+/// most half of PixelLight::step each, which adds up to less than two of them: less than both is 0.
 double unphysical_part(const PixelLight& light);
 
 /// What amounts of light are divided by: CIE D65 at the band's wavelength, 1 if it has none. Error (kind input): D65 is

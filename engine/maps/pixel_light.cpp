@@ -13,6 +13,7 @@ PixelLight pixel_light(const StokesImage& image, std::size_t band, std::size_t p
     light.missing = light.residual * brightest + light.surplus;
     light.scale = brightest;
     light.rounding = image.stored.rounding();
+    light.step = image.stored.step();
     return light;
 }
 

@@ -19,6 +19,7 @@ struct PixelLight {
     /// Light that the arithmetic had in hand: what is nothing but rounding beside it is no light. 0: not known.
     double scale = 0.0;
     double rounding = StoredNumbers{}.rounding();  ///< largest relative error of the numbers of `stokes`
+    double step = StoredNumbers{}.step();          ///< and the distance of neighbours among the smallest
 };
 
 /// A picture without residual or without brightest has no light missing, as far as it says.

@@ -49,6 +49,7 @@ Result<RgbPicture> wilkie_picture(const StokesImage& image, std::optional<std::s
     for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
         PixelLight light;
         light.rounding = image.stored.rounding();
+        light.step = static_cast<double>(last - first) * image.stored.step();
         for (std::size_t b = first; b < last; ++b) light.stokes += image.at(b, pixel);
         const PixelState state = evaluate_light(light, Quantity::dop, 1.0).state;
         const bool is_defect = state == PixelState::not_a_number || state == PixelState::unphysical;

@@ -152,6 +152,8 @@ TEST_F(ArrayFile, CountsAreReadAndSaidToBeWhole) {
     EXPECT_EQ(read.value().stokes[0].s1, 2.0);
     EXPECT_EQ(read.value().stokes[0].s2, 65535.0);
     EXPECT_TRUE(says(read.value().origin.remarks, "whole"));
+    EXPECT_EQ(read.value().stored.spacing, 1.0);
+    EXPECT_EQ(read.value().stored.bits, 32);
 }
 
 TEST_F(ArrayFile, EveryLayoutPutsEachNumberWhereItSays) {
@@ -281,6 +283,9 @@ TEST(Photographs, SayTheResidualAndTheBitsThatAreUsed) {
     EXPECT_TRUE(says(four.value().origin.remarks, "no S3"));
     const auto mosaic = read_array_picture(source_of(sample("mosaic_12bit.png"), "mosaic"));
     EXPECT_TRUE(says(mosaic.value().origin.remarks, "multiples of 16"));
+    // S0 is half the sum of four numbers, each of which is a multiple of 16.
+    EXPECT_DOUBLE_EQ(four.value().stored.spacing, 2.0 / 65535.0);
+    EXPECT_DOUBLE_EQ(mosaic.value().stored.spacing, 2.0 * 16.0 / 65535.0);
 }
 
 TEST(Photographs, AreS0AloneUnlessAMosaicIsAskedFor) {

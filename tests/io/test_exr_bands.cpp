@@ -88,7 +88,7 @@ TEST_F(ExrBands, ThePictureAndThePlaceInItComeBack) {
     image.top = 5;
     image.whole_width = 100;
     image.whole_height = 80;
-    image.stored = {16, "B44"};
+    image.stored = {16, "B44", 0.25};
     ASSERT_TRUE(write_exr(image, path()));
     const Result<StokesImage> back = read_exr(path());
     ASSERT_TRUE(back);
@@ -97,6 +97,7 @@ TEST_F(ExrBands, ThePictureAndThePlaceInItComeBack) {
     // 32 bits do not give back what 16 lost.
     EXPECT_EQ(back.value().stored.bits, 16);
     EXPECT_EQ(back.value().stored.lossy, "B44");
+    EXPECT_EQ(back.value().stored.spacing, 0.25);
 }
 
 TEST_F(ExrBands, OfWhichNothingWasMeasuredAreRefused) {

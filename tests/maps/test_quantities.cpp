@@ -250,6 +250,13 @@ TEST(Evaluate, ShowsHowFarAVectorIsFromBeingLight) {
     EXPECT_EQ(pixel(halves, Quantity::unphysical).value, 0.0);
     halves.stokes[0].s1 = 1.0 + 0x1p-9;
     EXPECT_GT(pixel(halves, Quantity::unphysical).value, 0.0);
+    // Whole numbers are off by a half each: 1, 1, 1 may be light of 1.4, fully polarized.
+    StokesImage counts = one_pixel({1.0, 1.0, 1.0, 0.0});
+    EXPECT_GT(pixel(counts, Quantity::unphysical).value, 0.0);
+    counts.stored.spacing = 1.0;
+    EXPECT_EQ(pixel(counts, Quantity::unphysical).value, 0.0);
+    counts.stokes[0].s1 = 4.0;
+    EXPECT_GT(pixel(counts, Quantity::unphysical).value, 0.0);
 }
 
 // S0 in [2, 2.1]; the missing light can add 0.1 to the polarized part 1 or take 0.1 from it: P between 0.9/2.1 and

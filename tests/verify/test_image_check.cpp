@@ -112,6 +112,22 @@ TEST(ImageCheck, AllowsWhatRoundingToTheStoredBitsMakesAndSaysSo) {
     EXPECT_TRUE(has_remark(check_image(image), "may come from B44, a lossy compression"));
 }
 
+// Counts of a camera, rounded to the nearest: light of 1.4, fully polarized at 22.5 degrees, becomes 1, 1, 1.
+TEST(ImageCheck, AllowsWholeNumbersToBeOffByAHalfHoweverSmallTheyAre) {
+    for (const double unit : {1.0, 0x1p-16}) {
+        StokesImage image = uniform({unit, unit, unit, 0.0});
+        EXPECT_FALSE(check_image(image).physical());
+        image.stored.spacing = unit;
+        ImageReport report = check_image(image);
+        EXPECT_TRUE(report.physical());
+        EXPECT_TRUE(has_remark(report, "comes from whole numbers"));
+        image.stokes[7].s1 = 4.0 * unit;
+        report = check_image(image);
+        EXPECT_EQ(count(report, too_polarized), 1U);
+        EXPECT_EQ(report.defects[too_polarized].name, "more polarized than whole numbers allow");
+    }
+}
+
 TEST(ImageCheck, AllowsTheSmallestFloats) {
     const double step = 0x1p-149;
     EXPECT_TRUE(check_image(uniform({step, step, step, 0.0})).physical());

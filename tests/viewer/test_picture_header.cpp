@@ -68,6 +68,7 @@ TEST_F(HeaderPanel, AChoiceInTheListChangesWhatTheNumbersAreTakenFor) {
 TEST_F(HeaderPanel, NumbersOfTheFileAreNamedByWhatTheyLost) {
     EXPECT_EQ(stored_text({16, ""}), "16-bit floats: off by at most 0.049 % each");
     EXPECT_NE(stored_text({32, "B44"}).find("B44"), std::string::npos);
+    EXPECT_EQ(stored_text({32, "", 0.5}), "from whole numbers, 0.5 apart: each off by at most half of it");
     EXPECT_EQ(size_text(known_picture()), "16 x 12 pixels");
 }
 

@@ -118,6 +118,9 @@ std::string size_text(const StokesImage& picture) {
 }
 
 std::string stored_text(const StoredNumbers& stored) {
+    if (stored.spacing > 0.0)
+        return fmt::format("from whole numbers, {} apart: each off by at most half of it",
+                           short_number(stored.spacing, 2));
     std::string text =
         fmt::format("{}-bit floats: off by at most {} % each", stored.bits, short_number(100.0 * stored.rounding(), 2));
     if (!stored.lossy.empty()) text += "; " + stored.lossy + " changes them by more, by no simple bound";

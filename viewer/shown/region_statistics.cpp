@@ -49,6 +49,7 @@ RegionStatistics region_statistics(const ShownPicture& picture, std::size_t band
         mean.residual += light.residual;
         mean.scale = light.scale;
         mean.rounding = light.rounding;
+        mean.step = light.step;
     });
     found.left_out = region.pixel_count() - found.count;
     if (found.count == 0) return found;

@@ -37,6 +37,7 @@ public:
                 mean.residual += light.residual;
                 mean.scale = light.scale;
                 mean.rounding = light.rounding;
+                mean.step = light.step;
             }
         }
         const double share = 1.0 / static_cast<double>(rect.pixel_count());

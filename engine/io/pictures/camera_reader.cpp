@@ -42,9 +42,11 @@ void note_header(const Photograph& photo, PictureOrigin& origin) {
 }
 
 /// What the numbers tell of themselves.
-void note_codes(const std::vector<std::uint16_t>& codes, std::uint32_t most, PictureOrigin& origin) {
+void note_codes(const std::vector<std::uint16_t>& codes, std::uint32_t most, StokesImage& image) {
+    PictureOrigin& origin = image.origin;
     const std::uint32_t power = common_power_of_two(codes);
     const std::uint32_t bits = (most == 255 ? 8U : 16U) - static_cast<std::uint32_t>(std::countr_zero(power));
+    image.stored.spacing *= power;
     if (power > 1)
         origin.remarks.push_back(
             fmt::format("All numbers are multiples of {}: numbers of {} bits in the high bits. The whole range of {} "
@@ -64,7 +66,6 @@ StokesImage picture_like(const Photograph& photo, int width, int height, std::ve
     image.width = width;
     image.height = height;
     image.bands = std::move(bands);
-    image.stored.bits = 16;  // whole numbers have no relative precision: the least that StoredNumbers knows
     image.origin.layout = std::move(layout);
     image.origin.assumed.emplace_back(
         "The polarizer angles count from image right, counter-clockwise for the camera; with angles that were "
@@ -97,6 +98,17 @@ void note_misfit(const Misfit& misfit, bool is_four, PictureOrigin& origin) {
         "{} is {:.2g} % of S0 (root mean square): noise, and what the camera does wrong.",
         is_four ? "The residual of the four angles, I0 + I90 - I45 - I135," : "What the fit of the angles leaves",
         100.0 * *relative));
+}
+
+/// StoredNumbers::spacing of the component that adds up the most light.
+double spacing_of(const Photograph& photo, const AngleFit& fit) {
+    double most = 0.0;
+    for (const std::vector<double>& weights : fit.weights) {
+        double sum = 0.0;
+        for (const double weight : weights) sum += std::abs(weight);
+        most = std::max(most, sum);
+    }
+    return most * photo.scale.value_or(1.0) / photo.most;
 }
 
 /// One pixel and band from its light at the angles.
@@ -158,6 +170,7 @@ Result<PictureReading> open_photographs(const std::vector<fs::path>& files, cons
     }
     StokesImage image =
         picture_like(*first, first->width, first->height, first->bands(StokesComponents::linear()), std::move(layout));
+    image.stored.spacing = spacing_of(*first, fit);
     image.origin.remarks.push_back(missing_s3());
     return PictureReading{
         image,
@@ -185,7 +198,7 @@ Result<PictureReading> open_photographs(const std::vector<fs::path>& files, cons
                         light[k] = unit * photos[k].codes[first_photo.at(p, b)];
                     target.stokes[b * pixels + p] = fitted(fit, light, is_four, misfit);
                 }
-            note_codes(all, first_photo.most, target.origin);
+            note_codes(all, first_photo.most, target);
             if (photos.size() > 3) note_misfit(misfit, is_four, target.origin);
             return Done{};
         }};
@@ -209,14 +222,15 @@ Result<PictureReading> open_mosaic(const fs::path& path, bool in_color) {
     StokesImage image =
         picture_like(photo, photo.width / cell, photo.height / cell, shape.bands(StokesComponents::linear()),
                      in_color ? "color mosaic of polarizers" : "mosaic of polarizers");
+    POL_TRY(const AngleFit fit, fit_angles(set_angles));
+    image.stored.spacing = spacing_of(photo, fit);
     image.origin.assumed.emplace_back(
         "The cells of the sensor are 90 45 / 135 0 degrees from the upper left corner on; a cell is one pixel.");
     if (in_color) image.origin.assumed.emplace_back("Colors are R G / G B; G is the mean of two cells.");
     image.origin.remarks.push_back(missing_s3());
     return PictureReading{
-        image, [path, in_color, cell](StokesImage& target, const ReadProgress&) -> Result<Done> {
+        image, [path, in_color, cell, fit](StokesImage& target, const ReadProgress&) -> Result<Done> {
             POL_TRY(const Photograph raw, read_photograph(path, true));
-            POL_TRY(const AngleFit fit, fit_angles(set_angles));
             if (raw.width != target.width * cell || raw.height != target.height * cell)
                 return input_error("has changed while it was read", "open it again");
             const double unit = raw.scale.value_or(1.0) / raw.most;
@@ -242,7 +256,7 @@ Result<PictureReading> open_mosaic(const fs::path& path, bool in_color) {
                             }
                         target.stokes[b * target.pixel_count() + target.pixel(x, y)] = fitted(fit, light, true, misfit);
                     }
-            note_codes(raw.codes, raw.most, target.origin);
+            note_codes(raw.codes, raw.most, target);
             note_misfit(misfit, true, target.origin);
             return Done{};
         }};
@@ -255,7 +269,9 @@ Result<PictureReading> open_single(const fs::path& path) {
     image.width = photo.width;
     image.height = photo.height;
     image.bands = photo.bands(StokesComponents::s0());
-    image.stored.bits = 16;
+    const std::vector<double> table = decoding_table(photo.most, photo.gamma);
+    image.stored.spacing =
+        photo.scale.value_or(1.0) * std::max(table[1] - table[0], table[photo.most] - table[photo.most - 1]);
     image.origin.layout = "photograph";
     image.origin.remarks.emplace_back("A photograph says nothing of polarization: S1, S2 and S3 are unknown.");
     if (photo.says_encoded)

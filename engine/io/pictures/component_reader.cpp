@@ -66,8 +66,10 @@ Result<PictureReading> open_components(const PictureSource& source) {
     StokesImage image = components.front().layout.image;
     for (Band& band : image.bands) band.known = known;
     note_precision(image, components.front().format);
-    for (const Component& component : components)
-        if (component.format.is_whole() || component.format.kind == NumberFormat::Kind::float16) image.stored.bits = 16;
+    for (const Component& component : components) {
+        if (component.format.kind == NumberFormat::Kind::float16) image.stored.bits = 16;
+        if (component.format.is_whole()) image.stored.spacing = 1.0;
+    }
     image.origin.layout = "one file for each component";
     image.origin.assumed.emplace_back(assumed_frame);
     return PictureReading{

@@ -177,6 +177,7 @@ void add_component(StokesImage& whole, const StokesImage& one, std::size_t s) {
     const auto component = exr::stokes_layers[s].component;
     for (std::size_t i = 0; i < whole.stokes.size(); ++i) whole.stokes[i].*component = one.stokes[i].s0;
     whole.stored.bits = std::min(whole.stored.bits, one.stored.bits);
+    whole.stored.spacing = std::max(whole.stored.spacing, one.stored.spacing);
     if (whole.stored.lossy.empty()) whole.stored.lossy = one.stored.lossy;
 }
 

@@ -164,13 +164,14 @@ std::map<std::string, std::string> own_attributes(const StokesImage& image) {
     if (!origin.remarks.empty()) attributes[remarks_attribute] = escaped_lines(origin.remarks);
     if (image.stored.bits != StoredNumbers{}.bits || !image.stored.lossy.empty())
         attributes[stored_attribute] = fmt::format("{} {}", image.stored.bits, image.stored.lossy);
+    if (image.stored.spacing > 0.0) attributes[spacing_attribute] = fmt::to_string(image.stored.spacing);
     return attributes;
 }
 
 bool is_own_attribute(std::string_view name) {
-    return name == bands_attribute || name == stored_attribute || name == layout_attribute ||
-           name == convention_attribute || name == origin_convention_attribute || name == assumed_attribute ||
-           name == remarks_attribute;
+    return name == bands_attribute || name == stored_attribute || name == spacing_attribute ||
+           name == layout_attribute || name == convention_attribute || name == origin_convention_attribute ||
+           name == assumed_attribute || name == remarks_attribute;
 }
 
 Result<StokesChannels> own_channels(std::string_view bands, const std::vector<std::string>& names) {
@@ -214,6 +215,8 @@ StoredNumbers with_earlier(StoredNumbers stored, const Parts& parts) {
     if (bits.size() == 1 && (bits[0] == 24.0 || bits[0] == 16.0))
         stored.bits = std::min(stored.bits, static_cast<int>(bits[0]));
     if (stored.lossy.empty()) stored.lossy = rest;
+    const std::vector<double> spacing = parse_numbers(parts.text(spacing_attribute));
+    if (spacing.size() == 1 && std::isfinite(spacing[0])) stored.spacing = std::max(stored.spacing, spacing[0]);
     return stored;
 }
 

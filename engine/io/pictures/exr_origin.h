@@ -21,6 +21,7 @@ namespace pol::exr {
 
 inline constexpr const char* bands_attribute = "polariscope.bands";
 inline constexpr const char* stored_attribute = "polariscope.stored";
+inline constexpr const char* spacing_attribute = "polariscope.stored.spacing";
 
 /// What comes behind the dot in the channel names of each band: "580,000000nm", a plain name as it is, else "band3".
 std::vector<std::string> band_suffixes(const std::vector<Band>& bands);

@@ -34,7 +34,7 @@ bool is_packed_by_dwa(const std::string& name) {
 
 /// PXR24 drops the last 8 bits of floats, B44 and B44A pack halves; neither touches the other types.
 StoredNumbers stored_as(const std::string& name, Imf::PixelType type, Imf::Compression compression) {
-    if (type == Imf::UINT) return {};
+    if (type == Imf::UINT) return {32, {}, 1.0};
     const bool is_dwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
     if (is_dwa && is_packed_by_dwa(name)) return {16, compression == Imf::DWAA_COMPRESSION ? "DWAA" : "DWAB"};
     if (type == Imf::FLOAT) return {compression == Imf::PXR24_COMPRESSION ? 24 : 32, {}};
@@ -111,6 +111,7 @@ StoredNumbers Parts::stored(const std::vector<std::string>& channels) const {
         const Found& found = channels_.at(name);
         StoredNumbers stored = stored_as(name, found.channel.type, header(found.parts.front()).compression());
         coarsest.bits = std::min(coarsest.bits, stored.bits);
+        coarsest.spacing = std::max(coarsest.spacing, stored.spacing);
         if (coarsest.lossy.empty()) coarsest.lossy = std::move(stored.lossy);
     }
     return coarsest;

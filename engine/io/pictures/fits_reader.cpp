@@ -251,6 +251,7 @@ Result<Cube> cube_of(const Cards& cards, const FileBytes& file) {
     image.height = static_cast<int>(shape[1]);
     POL_TRY(image.bands, bands_of(cards, band_axis, bands, known));
     note_precision(image, cube.format);
+    image.stored.spacing *= std::abs(cube.scale);
     image.origin.layout = "FITS";
     note_convention(cards, image.origin);
     const std::size_t width = shape[0];

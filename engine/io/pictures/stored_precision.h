@@ -6,11 +6,10 @@
 
 namespace pol {
 
-/// Fills in StokesImage::stored. Whole numbers have no relative precision; they are taken for halves, and a remark says
-/// so.
+/// Fills in StokesImage::stored; a remark says where numbers are whole.
 inline void note_precision(StokesImage& image, const NumberFormat& format) {
-    const bool is_coarse = format.kind == NumberFormat::Kind::float16 || format.is_whole();
-    image.stored.bits = is_coarse ? 16 : 32;
+    image.stored.bits = format.kind == NumberFormat::Kind::float16 ? 16 : 32;
+    image.stored.spacing = format.is_whole() ? 1.0 : 0.0;
     if (format.is_whole()) image.origin.remarks.emplace_back("The numbers are whole: each may be wrong by a half.");
 }
 

@@ -104,7 +104,9 @@ private:
 std::vector<ImageDefect> find_defects(const StokesImage& image, const Judged& judged) {
     Counter not_finite("not a number or infinite");
     Counter negative("negative S0");
-    Counter polarized(fmt::format("more polarized than {}-bit rounding allows", image.stored.bits));
+    Counter polarized(image.stored.spacing > 0.0
+                          ? "more polarized than whole numbers allow"
+                          : fmt::format("more polarized than {}-bit rounding allows", image.stored.bits));
     for (std::size_t b = 0; b < image.bands.size(); ++b)
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
@@ -183,6 +185,8 @@ std::string origin_of_excess(const StoredNumbers& stored, const ImageReport& rep
     if (excess.count == 0 && report.dop.most <= 1.0 + float_excess) return {};
     if (!stored.lossy.empty())
         return fmt::format("of some percent may come from {}, a lossy compression: write ZIP or PIZ", stored.lossy);
+    if (stored.spacing > 0.0)
+        return fmt::format("comes from whole numbers where light is dark: they are {:.2g} apart", stored.spacing);
     const double allowed = excess_of(stored.rounding());
     if (stored.bits == 24)
         return fmt::format("up to {:.2g} comes from PXR24, which keeps 24 bits of a number: write ZIP or PIZ", allowed);
@@ -229,8 +233,8 @@ std::vector<std::string> find_oddities(const StokesImage& image, const Judged& j
                 is_measured[i] = true;
                 const double value = s.*components[i];
                 if (value != 0.0) ++signs[i].nonzero;
-                if (value > noise * s.s0) ++signs[i].positive;
-                if (value < -noise * s.s0) ++signs[i].negative;
+                if (value > noise * s.s0 + image.stored.step()) ++signs[i].positive;
+                if (value < -noise * s.s0 - image.stored.step()) ++signs[i].negative;
             }
         }
     if (report.dop.lit == 0) remarks.emplace_back("no pixel has any light");
