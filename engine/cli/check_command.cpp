@@ -101,6 +101,7 @@ ordered_json as_json(const std::string& file, const StokesImage& image, const Im
                      {"spacing", image.stored.spacing},
                      {"lossy_compression", image.stored.lossy},
                      {"bands", band_names(image)},
+                     {"wavelengths_nm", wavelengths_of(image.bands)},
                      {"layout", image.origin.layout},
                      {"convention", image.origin.convention.text()},
                      {"assumed", image.origin.assumed},
@@ -241,7 +242,7 @@ void add_check_command(ProgramCommand app, int& exit_code) {
     command
         .add_option("FILE", request->picture.files,
                     "Scene: invariants that hold whatever is in it. Stokes picture of any program: whether it is light")
-        .type_name("NAME.yaml|PICTURE");
+        .type_name(std::string("NAME.yaml|") + picture_names);
     add_picture_options(command, request->picture);
     command.add_option("--size", request->size, "Scene: pixels along the sides of the picture").capture_default_str();
     command.add_flag("--json", request->json, "Print JSON");

@@ -191,7 +191,7 @@ void add_compare_command(ProgramCommand app, int& exit_code) {
     command
         .add_option("FILES", request->files,
                     "A, ours, and B, the other one; B alone with --scene; several of B with --angles")
-        .type_name("FILE");
+        .type_name(picture_names);
     command
         .add_option(
             "--scene", request->scene,

@@ -80,7 +80,7 @@ void add_convert_command(ProgramCommand app, int& exit_code) {
     const auto request = std::make_shared<Request>();
     ProgramCommand command = app.add_subcommand("convert", "Write a Stokes picture in the form of another program");
     command.add_option("IN", request->input.files, "Stokes picture of any program; several with --angles")
-        .type_name("NAME.exr|NAME.npy|NAME.npz|NAME.png|NAME.fits");
+        .type_name(picture_names);
     command.add_option("-o,--output", request->output, "File; of several, what their names begin with and their ending")
         .type_name("FILE")
         .required();

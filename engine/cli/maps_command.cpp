@@ -245,7 +245,7 @@ void add_maps_command(ProgramCommand app, int& exit_code) {
     const auto request = std::make_shared<Request>();
     ProgramCommand command = app.add_subcommand("maps", "Draw a map of a Stokes picture as PNG");
     command.add_option("IN", request->input.files, "Stokes picture of any program, see Layouts below")
-        .type_name("PICTURE");
+        .type_name(picture_names);
     add_picture_options(command, request->input);
     command.add_option("--map", request->map, "what to draw, see below").type_name("MAP");
     command.add_option("-o,--output", request->output, "PNG file; a folder for --map all and the four of wilkie")

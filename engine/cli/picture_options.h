@@ -15,6 +15,9 @@
 
 namespace pol {
 
+/// What help and completions call a picture (type_name).
+inline constexpr const char* picture_names = "NAME.exr|NAME.npy|NAME.npz|NAME.png|NAME.fits";
+
 /// The choices of a StokesConvention that the command line makes; the others stay as they are.
 struct ConventionOptions {
     std::optional<bool> left_handed;

@@ -36,7 +36,8 @@ void add_send_command(ProgramCommand app, int& exit_code) {
     const auto request = std::make_shared<Request>();
     ProgramCommand command =
         app.add_subcommand("send", "Show a Stokes picture in a viewer that runs: tev, or another window");
-    command.add_option("IN", request->input.files, "Stokes picture, of any layout that is read").type_name("NAME.exr");
+    command.add_option("IN", request->input.files, "Stokes picture, of any layout that is read")
+        .type_name(picture_names);
     add_picture_options(command, request->input);
     command.add_option("--to", request->to, "where the viewer listens (default: 127.0.0.1:14158)")
         .type_name("HOST:PORT");

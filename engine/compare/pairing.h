@@ -23,8 +23,8 @@ struct SharedArea {
 /// or if no pixel is in both.
 std::optional<SharedArea> shared_area(const StokesImage& a, const StokesImage& b);
 
-/// Which of `theirs` can be subtracted from band `band` of `ours`: the same one (matching_band); or, where a picture has
-/// a single band and that has no wavelength, the one that pair_up takes for it. Empty: none.
+/// Which of `theirs` can be subtracted from band `band` of `ours`: the same one (matching_band); or, where a picture
+/// has a single band and that has no wavelength, the one that pair_up takes for it. Empty: none.
 std::optional<std::size_t> comparable_band(const std::vector<Band>& ours, std::size_t band,
                                            const std::vector<Band>& theirs);
 

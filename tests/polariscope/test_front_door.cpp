@@ -319,7 +319,8 @@ TEST(FrontDoor, StopsBeforeItBegins) {
 
 TEST(FrontDoor, ReadsAPictureOfAPolarizationCamera) {
     const ps::Picture camera =
-        ps::read_picture(std::filesystem::path(POL_TESTS_DIR) / "data/pictures/stokes_dialects/hw3_linear_f8.npy").value();
+        ps::read_picture(std::filesystem::path(POL_TESTS_DIR) / "data/pictures/stokes_dialects/hw3_linear_f8.npy")
+            .value();
     EXPECT_TRUE(camera.wavelengths_nm().empty());
     EXPECT_TRUE(camera.is_measured(2));
     EXPECT_FALSE(camera.is_measured(3));

@@ -116,6 +116,7 @@ protected:
         program.value().use();
         program.value().set("brightest", 1.0F);
         program.value().set("d65", to_single(d65));
+        program.value().set("is_measured", 1);
         program.value().set("noise", to_single(pixel_noise));
         program.value().set("full_weight", to_single(full_weight_polarization));
         return run(program.value(), lights.stokes, lights.left_out);

@@ -119,7 +119,7 @@ void add_view_command(ProgramCommand app, int& exit_code) {
     auto request = std::make_shared<ViewRequest>();
     ProgramCommand command = app.add_subcommand("view", "Open scenes and pictures in a window");
     command.add_option("files", request->picture.files, "Scenes (*.yaml) and pictures (*.exr, *.npy, *.png, ...)")
-        .type_name("FILE");
+        .type_name(std::string("NAME.yaml|") + picture_names);
     add_picture_options(command, request->picture);
     command.add_option("--size", request->size, "Size of the window in points")
         .type_name("WxH")
