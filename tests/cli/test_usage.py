@@ -8,7 +8,7 @@ import unittest
 
 from program import REPOSITORY, SCENES, ProgramTest, main
 
-COMMANDS = ("render", "maps", "explain", "interface", "plan", "check", "converge", "view", "manual")
+COMMANDS = ("render", "maps", "compare", "send", "convert", "explain", "interface", "plan", "check", "converge", "view", "manual")
 GLASS = SCENES / "cube-glass.yaml"
 
 BAD_USAGE = [
