@@ -12,7 +12,7 @@ from pathlib import Path
 
 from program import PROGRAM, REPOSITORY, SCENES, ProgramTest, main
 
-COMMANDS = ("render", "maps", "compare", "explain", "interface", "plan", "check", "converge", "manual")
+COMMANDS = ("render", "maps", "compare", "send", "convert", "explain", "interface", "plan", "check", "converge", "manual")
 # Types $1 and the tabulator, and reads until $2 stands there.
 ZSH_CONVERSATION = r"""
 zmodload zsh/zpty
