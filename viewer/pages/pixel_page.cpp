@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "maps/error_bars.h"
 #include "maps/evaluate.h"
+#include "viewer/pages/page_frame.h"
 #include "viewer/pages/pixel_readout.h"
 #include "viewer/pages/readout_text.h"
 #include "viewer/shown/shown_picture.h"
@@ -58,44 +59,6 @@ PageRow words(std::string name, const std::string& value, std::string_view help)
 
 PageRow axis_row(std::string name, const DVec3& v, std::string_view help) {
     return {std::move(name), vector_text(v, 1.0), {}, fmt::format("({:.17g}, {:.17g}, {:.17g})", v.x, v.y, v.z), help};
-}
-
-/// Axes of the pixel's centre in the scene, or none for a picture without one.
-std::optional<CameraRay> camera_axes(const Document& document, PixelAddress pixel) {
-    if (!document.has_scene()) return std::nullopt;
-    return document.plan()->camera.ray(pixel.x + 0.5, pixel.y + 0.5);
-}
-
-/// Angle from the camera's x to the x asked for; 0, and the reason in `trouble`, if there is none.
-double frame_angle(const PageSettings& settings, const std::optional<CameraRay>& axes, std::string& trouble) {
-    switch (settings.frame) {
-        case FrameChoice::camera:
-            return 0.0;
-        case FrameChoice::own_angle:
-            return settings.own_angle;
-        case FrameChoice::scene_x:
-        case FrameChoice::scene_y:
-        case FrameChoice::scene_z:
-            break;
-    }
-    if (!axes) {
-        trouble = "A picture has no scene axes: camera frame";
-        return 0.0;
-    }
-    const int axis = static_cast<int>(settings.frame) - static_cast<int>(FrameChoice::scene_x);
-    const double along_x = axes->x[axis];
-    const double along_y = axes->y[axis];
-    constexpr double seen_end_on = 1e-9;
-    if (std::hypot(along_x, along_y) < seen_end_on) {
-        trouble = "That axis points along the ray: camera frame";
-        return 0.0;
-    }
-    return std::atan2(along_y, along_x);
-}
-
-/// Those that are known in a frame turned by `angle`, which mixes S1 and S2.
-StokesComponents known_in_frame(StokesComponents known, double angle) {
-    return angle == 0.0 || known.has(StokesComponents::linear()) ? known : known.without(1).without(2);
 }
 
 /// Bar of an amount of light: it grows by at most `share` of what is missing, and falls by as much of the surplus, but
@@ -279,12 +242,6 @@ PageGroup measures_group(const PixelPage& page, const PixelLight& light, const C
     return group;
 }
 
-/// The angle of the frame on screen; 0 where there is no such frame.
-double shown_angle(const Session& session) {
-    std::string trouble;
-    return frame_angle(session.page(), camera_axes(*session.current(), *session.selection().pinned()), trouble);
-}
-
 /// Only what the picture says: a foreign one says nothing of what was not traced.
 PageGroup making_group(const PixelReadout& readout, const BandReadout& at) {
     PageGroup group{"How it was made", {}};
@@ -374,51 +331,6 @@ PixelPage make_pixel_page(const Session& session) {
                    parts_group(page, light),
                    making_group(readout, at)};
     return page;
-}
-
-PageAxes page_axes(const Session& session) {
-    const double angle = shown_angle(session);
-    return {session.view().convention.x_sign() * DVec2(std::cos(angle), -std::sin(angle)),
-            {-std::sin(angle), -std::cos(angle)}};
-}
-
-std::vector<PageCurve> spectrum_curves(const Session& session) {
-    const PixelReadout readout = read_pixel(session, *session.selection().pinned(), Convention{});
-    const double angle = shown_angle(session);
-    std::vector<PageCurve> curves;
-    PageCurve s0{"S0", {}, {}, 0.0, 0.0, false};
-    for (const BandReadout& at : readout.bands) {
-        const double value = at.light.stokes.s0;
-        if (!at.light.known.has(0)) {
-            s0.texts.emplace_back(state_text(PixelState::not_measured));
-            s0.values.emplace_back();
-            continue;
-        }
-        const auto bars = stokes_bars(at.light);
-        const NumberText text =
-            number_text(value, bars ? std::optional(bars->s0) : std::nullopt, rounding_of(at.light), 6, "");
-        s0.texts.push_back(std::isfinite(value) ? text.value + (text.bar.empty() ? "" : " " + text.bar)
-                                                : std::string(state_text(PixelState::not_a_number)));
-        s0.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
-        if (std::isfinite(value)) s0.high = std::max(s0.high, value);
-    }
-    curves.push_back(std::move(s0));
-    for (const Quantity quantity : {Quantity::dop, Quantity::azimuth, Quantity::ellipticity}) {
-        const QuantityInfo& about = info(quantity);
-        PageCurve curve{std::string(about.title), {}, {}, about.low, about.high, about.kind == ScaleKind::cyclic};
-        if (!about.unit.empty()) curve.name += fmt::format(" ({})", about.unit);
-        for (const BandReadout& at : readout.bands) {
-            PixelLight light = at.light;
-            light.known = known_in_frame(at.light.known, angle);
-            light.stokes = session.view().convention.stokes(only(light.known, rotate_basis(at.light.stokes, angle)));
-            const QuantityReadout shown = read_light(light, quantity, 1.0);
-            const MapPixel& pixel = shown.pixel;
-            curve.values.push_back(pixel.state == PixelState::defined ? std::optional(pixel.value) : std::nullopt);
-            curve.texts.push_back(readout_text(quantity, shown));
-        }
-        curves.push_back(std::move(curve));
-    }
-    return curves;
 }
 
 std::string text_of(const PixelPage& page) {
