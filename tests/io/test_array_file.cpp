@@ -277,6 +277,20 @@ TEST(PolarizerAngles, OfAnySpreadGiveTheLightBack) {
     }
 }
 
+TEST_F(ArrayFile, APhotographAt135DegreesBelongsToTheSetThatIsBesideIt) {
+    const auto copy = [&](const char* from, const char* to) { fs::copy_file(sample(from), path(to)); };
+    copy("four_000.png", "p_0.png");
+    copy("four_045.png", "p_45.png");
+    copy("four_090.png", "p_90.png");
+    copy("four_135.png", "p_135.png");
+    const auto by_first = read_array_picture(source_of(path("p_0.png")));
+    const auto by_last = read_array_picture(source_of(path("p_135.png")));
+    ASSERT_TRUE(by_first) << to_string(by_first.error());
+    ASSERT_TRUE(by_last) << to_string(by_last.error());
+    EXPECT_EQ(by_last.value().origin, by_first.value().origin);
+    EXPECT_EQ(by_last.value().stokes, by_first.value().stokes);
+}
+
 TEST(Photographs, SayTheResidualAndTheBitsThatAreUsed) {
     const auto four = read_array_picture(source_of(sample("four_090.png")));
     EXPECT_TRUE(says(four.value().origin.remarks, "I0 + I90 - I45 - I135"));

@@ -138,21 +138,37 @@ struct SetName {
     std::string ending;  ///< ".png"
     bool three_digits = false;
 };
-std::optional<SetName> set_name(const fs::path& path) {
-    const std::string stem = path.stem().string();
-    for (const bool three : {true, false})
-        for (const double angle : set_angles) {
-            const std::string digits = three ? fmt::format("_{:03.0f}", angle) : fmt::format("_{:.0f}", angle);
-            if (stem.ends_with(digits))
-                return SetName{stem.substr(0, stem.size() - digits.size() + 1), path.extension().string(), three};
-        }
-    return std::nullopt;
-}
 
 fs::path member_of(const fs::path& path, const SetName& name, double angle) {
     return path.parent_path() /
            (name.stem + (name.three_digits ? fmt::format("{:03.0f}", angle) : fmt::format("{:.0f}", angle)) +
             name.ending);
+}
+
+/// Whether at least as many photographs of the set are there under names of three digits as under short ones.
+bool has_more_in_three_digits(const fs::path& path, SetName name) {
+    const auto those_there = [&](bool three) {
+        name.three_digits = three;
+        return std::count_if(set_angles.begin(), set_angles.end(), [&](double angle) {
+            std::error_code failed;
+            return fs::is_regular_file(member_of(path, name, angle), failed);
+        });
+    };
+    return those_there(true) >= those_there(false);
+}
+
+std::optional<SetName> set_name(const fs::path& path) {
+    const std::string stem = path.stem().string();
+    for (const bool three : {true, false})
+        for (const double angle : set_angles) {
+            const std::string digits = three ? fmt::format("_{:03.0f}", angle) : fmt::format("_{:.0f}", angle);
+            if (!stem.ends_with(digits)) continue;
+            SetName name{stem.substr(0, stem.size() - digits.size() + 1), path.extension().string(), three};
+            // 135 is written alike in both: those beside it tell which.
+            if (three && angle == set_angles.back()) name.three_digits = has_more_in_three_digits(path, name);
+            return name;
+        }
+    return std::nullopt;
 }
 
 Result<PictureReading> open_photographs(const std::vector<fs::path>& files, const std::vector<double>& angles,
