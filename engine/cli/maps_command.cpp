@@ -169,17 +169,22 @@ Result<Done> write_wilkie_pictures(const StokesImage& image, const Request& requ
         POL_TRY(const auto found, wanted_band(image, request));
         band = found;
     }
-    POL_TRY_DONE(make_folder(request.output, "--style wilkie without --map writes four files"));
-    const std::string stem = request.path().stem().string();
+    // All of them before the first is written: some need components that others do not, and half a set misleads.
+    std::vector<RgbPicture> pictures;
     for (const WilkiePictureInfo& each : wilkie_pictures) {
-        const auto picture = wilkie_picture(image, band, each);
+        auto picture = wilkie_picture(image, band, each);
         if (!picture) {
             Error error = picture.error();
             error.place.file = request.path().string();
             return error;
         }
-        POL_TRY_DONE(write_png(picture.value(), fs::path(request.output) / fmt::format("{}_{}.png", stem, each.name)));
+        pictures.push_back(std::move(picture.value()));
     }
+    POL_TRY_DONE(make_folder(request.output, "--style wilkie without --map writes four files"));
+    const std::string stem = request.path().stem().string();
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        POL_TRY_DONE(
+            write_png(pictures[i], fs::path(request.output) / fmt::format("{}_{}.png", stem, wilkie_pictures[i].name)));
     return Done{};
 }
 

@@ -163,6 +163,10 @@ class Wilkie(Pictures):
         self.assertEqual(sorted(self.files()),
                          [f"maps/mono_luminance_f32_{kind}.png" for kind in ("cir", "dop", "lin", "top")])
 
+    def test_nothing_is_left_where_a_picture_has_not_measured_what_they_need(self):
+        self.refuse(3, ["S0 to S3"], "maps", CASES / "s0only.exr", "--style", "wilkie", "-o", "maps")
+        self.assertFalse((self.folder / "maps").exists())
+
     def test_a_name_of_a_picture_is_no_folder(self):
         for options in (["--style", "wilkie"], ["--map", "all"]):
             with self.subTest(options[-1]):
