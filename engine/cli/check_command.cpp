@@ -62,7 +62,7 @@ void print_text(const std::string& file, const StokesImage& image, const ImageRe
     const std::size_t planes = image.bands.size();
     const bool is_crop = image.left != 0 || image.top != 0;
     const std::string kind = wavelengths_of(image.bands).empty() ? "band" : "wavelength";
-    fmt::print("{}: {}x{} pixels{}, {} {}{}\n", file, image.width, image.height,
+    fmt::print("{}: {}x{} pixels{}, {} {}{}\n", printable(file), image.width, image.height,
                is_crop ? fmt::format(" from pixel {},{} of the picture on", image.left, image.top) : "", planes, kind,
                planes == 1 ? "" : "s");
     print_origin(image);
@@ -71,7 +71,7 @@ void print_text(const std::string& file, const StokesImage& image, const ImageRe
         fmt::print("{:<46}{:>10}  {}", defect.name, defect.count, defect.count == 0 ? "pass" : "FAIL");
         if (defect.worst)
             fmt::print("   worst: pixel {},{} at {}, {} = {:.6g}", defect.worst->x, defect.worst->y,
-                       place_of(image, *defect.worst), defect.value_name, defect.worst->value);
+                       printable(place_of(image, *defect.worst)), defect.value_name, defect.worst->value);
         fmt::print("\n");
     }
     const verify::DopStatistics& dop = report.dop;
@@ -83,7 +83,7 @@ void print_text(const std::string& file, const StokesImage& image, const ImageRe
             "{:.6g}\n",
             dop.is_linear ? "linear " : "", dop.least, dop.percentile_1, dop.median, dop.percentile_99, dop.most,
             dop.mean);
-    for (const std::string& remark : report.remarks) fmt::print("note: {}\n", remark);
+    for (const std::string& remark : report.remarks) fmt::print("note: {}\n", printable(remark));
 }
 
 std::vector<std::string> band_names(const StokesImage& image) {
@@ -183,7 +183,7 @@ int check_scene(const FileRequest& request) {
     ordered_json out{{"scene", request.file}, {"size", {request.size, request.size}}};
     const std::vector<std::string>& doubts = test.value().plan->features.doubts;
     if (!request.json) {
-        fmt::print("{}: {}x{} pixels\n\n", request.file, request.size, request.size);
+        fmt::print("{}: {}x{} pixels\n\n", printable(request.file), request.size, request.size);
         for (const std::string& doubt : doubts) fmt::print("doubt: {}\n\n", printable(doubt));
     }
     out["doubts"] = doubts;
@@ -229,7 +229,7 @@ int run(const ProgramCommand& command, const FileRequest& request) {
     if (request.picture.given()) return check_picture(request);
     std::error_code status;
     if (!fs::exists(request.file, status)) return report_missing(command, request.file);
-    return is_picture_name(request.file) ? check_picture(request) : check_scene(request);
+    return is_picture(request.file) ? check_picture(request) : check_scene(request);
 }
 
 }  // namespace

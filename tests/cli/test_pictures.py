@@ -179,6 +179,16 @@ class WrongInput(Pictures):
         self.refuse(2, ["no layout 'mitsba'", "spectral, mitsuba"], "check", picture, "--layout", "mitsba")
         self.refuse(3, ["layout mitsuba", "S0.580,000000nm"], "check", picture, "--layout", "mitsuba")
 
+    def test_content_decides_whatever_the_name(self):
+        for name in ("noending", "picture.txt", "picture.yaml.bak"):
+            shutil.copyfile(CASES / "plain.exr", self.folder / name)
+            self.assertIn("spectral layout", self.succeed("check", name))
+
+    def test_a_name_cannot_speak_to_the_terminal(self):
+        shutil.copyfile(CASES / "plain.exr", self.folder / "\x1b[31mred.exr")
+        text = self.succeed("check", "\x1b[31mred.exr")
+        self.assertTrue(text.startswith("\\x1b[31mred.exr: "), text)
+
     def test_two_files_are_no_picture(self):
         self.refuse(2, ["2 files", "--angles"], "check", CASES / "plain.exr", CASES / "crop.exr")
 

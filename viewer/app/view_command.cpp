@@ -36,7 +36,7 @@ Result<std::vector<FileToOpen>> files_to_open(const PictureOptions& options) {
     }
     std::vector<FileToOpen> files;
     for (const std::string& name : options.files) {
-        FileToOpen file{{}, is_picture_name(name) || !options.layout.empty(), options.from};
+        FileToOpen file{{}, is_picture(name) || !options.layout.empty(), options.from};
         file.source.files = {name};
         file.source.layout = options.layout;
         if (!file.is_picture && options.from.given())

@@ -66,7 +66,7 @@ Result<Done> keep_backup(const std::filesystem::path& path) {
 }  // namespace
 
 Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path, std::function<void()> wake) {
-    if (is_picture_name(path)) {
+    if (is_picture(path)) {
         PictureSource source;
         source.files = {path};
         POL_TRY(auto picture, read_picture(source));

@@ -39,7 +39,7 @@ struct ShownFact {
 /// Thread safety: main thread only. `wake`, given at opening, is called from workers.
 class Document {
 public:
-    /// Opens a picture (is_picture_name), or a scene and starts its render. Error: as the reader or the compiler has
+    /// Opens a picture (is_picture), or a scene and starts its render. Error: as the reader or the compiler has
     /// it.
     static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path, std::function<void()> wake);
     /// A scene that no file has yet, by the name that Save will suggest ("calcite-twin.yaml"). It can be made again: it

@@ -53,7 +53,7 @@ public:
     /// `wake` is called from worker threads whenever there is something new to draw.
     explicit Session(std::function<void()> wake = {}) : wake_(std::move(wake)), exports_(wake_), explanation_(wake_) {}
 
-    /// Opens a scene or a picture (is_picture_name) and makes it the current document; on error the log says why and
+    /// Opens a scene or a picture (is_picture) and makes it the current document; on error the log says why and
     /// nothing changes. As the other open() where it is a picture.
     bool open(const std::filesystem::path& path);
     /// What the numbers are to be taken for, from what their reader took them for.

@@ -14,7 +14,7 @@ constexpr std::size_t most_remembered_conventions = 100;
 }  // namespace
 
 bool Session::open(const std::filesystem::path& path) {
-    if (is_picture_name(path)) {
+    if (is_picture(path)) {
         PictureSource source;
         source.files = {path};
         return open(source);

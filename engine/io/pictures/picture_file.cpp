@@ -100,6 +100,14 @@ bool is_picture_name(const fs::path& path) {
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
+bool is_picture(const fs::path& path) {
+    if (is_picture_name(path)) return true;
+    if (picture_file_problem(path)) return false;
+    PictureSource source;
+    source.files = {path};
+    return std::any_of(formats.begin(), formats.end(), [&](const Format& format) { return format.is_it(source); });
+}
+
 std::optional<Error> picture_file_problem(const fs::path& path) {
     const auto problem = [&](std::string what, std::string hint) {
         return Error{ErrorKind::input, std::move(what), Place{path.string()}, {}, std::move(hint)};

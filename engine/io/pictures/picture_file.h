@@ -56,6 +56,9 @@ using ReadProgress = std::function<bool(double)>;
 /// True if the ending is one of a picture: exr, npy, npz, png, fits, fit (any case). Scenes have others.
 bool is_picture_name(const std::filesystem::path& path);
 
+/// True if the name is one of a picture, or a file is there whose first bytes are.
+bool is_picture(const std::filesystem::path& path);
+
 /// What keeps any file from being looked into (kind input, with its place): it is missing, a folder, no regular file,
 /// unreadable or empty.
 std::optional<Error> picture_file_problem(const std::filesystem::path& path);
