@@ -66,6 +66,9 @@ TEST_F(ArrayFile, ShapesThatCanBeTwoThingsAreRefusedWithBothNames) {
     EXPECT_SAYS(both, "chw");
     EXPECT_SAYS(both, "--layout");
     EXPECT_SAYS(complaint("s.npy", npy_of(dict_of("<f4", "(5, 4, 4)"), data)), "Mueller");
+    const std::string matrices = complaint("s.npy", npy_of(dict_of("<f4", "(5, 6, 4, 4)"), std::string(1920, '\0')));
+    EXPECT_SAYS(matrices, "nhwc (bands, rows, columns, Stokes) or Mueller matrices");
+    EXPECT_SAYS(matrices, "--layout nhwc");
     EXPECT_SAYS(complaint("s.npy", npy_of(dict_of("<f4", "(4, 5, 13)"), data)), "tensor");
     EXPECT_EQ(complaint("s.npy", npy_of(dict_of("<f4", "(4, 5, 4)"), data), "chw"), "read");
     EXPECT_EQ(complaint("s.npy", npy_of(dict_of("<f4", "(5, 4, 4)"), data), "hwc"), "read");

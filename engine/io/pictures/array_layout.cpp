@@ -94,9 +94,10 @@ const std::vector<Form>& forms() {
     return all;
 }
 
-/// A picture four columns wide, or the Mueller matrices of a row of pixels.
+/// Pictures four columns wide, or the Mueller matrices of a row or a picture of pixels.
 bool may_be_matrices(const ArrayShape& shape) {
-    return shape.size() == 3 && shape[1] == 4 && shape[2] == 4;
+    const std::size_t axes = shape.size();
+    return (axes == 3 || axes == 4) && shape[axes - 2] == 4 && shape[axes - 1] == 4;
 }
 
 Result<const Form*> form_of(const ArrayShape& shape, std::string_view asked) {
@@ -125,7 +126,7 @@ Result<const Form*> form_of(const ArrayShape& shape, std::string_view asked) {
     if (names.size() == 1 && may_be_matrices(shape)) names.emplace_back("Mueller matrices, which are not read");
     if (names.size() > 1)
         return input_error(fmt::format("an array of shape {} can be {}", shape_text(shape), join(names, " or ")),
-                           "say which with --layout, for example --layout hwc");
+                           fmt::format("say which with --layout, for example --layout {}", found->name));
     return found;
 }
 

@@ -108,7 +108,7 @@ Result<Done> write_npy(OutgoingPicture& picture, const std::filesystem::path& pa
     write_vectors(*file, image, length_of(picture), [&](std::size_t b, std::size_t p) { return picture.at(b, p); });
     picture.lost.emplace_back(
         "An array has no names: wavelengths, bands and the convention are not in it (npz has them).");
-    if (image.width == 3 || length_of(picture) == 3)
+    if (image.width == 3 || image.width == 4 || length_of(picture) == 3)
         picture.lost.emplace_back("Its shape can be taken for another: read it with --layout nhwc.");
     return file->commit();
 }
