@@ -82,11 +82,11 @@ void add_convention_options(ProgramCommand command, ConventionOptions& options, 
                          const std::function<void(std::size_t)>& take) {
         command.add_choice("--" + before + name, words, take, whose + ": " + what);
     };
-    add("handedness", {"right", "left"}, "S3 > 0 is this, seen by the receiver",
+    add("handedness", {"right", "left"}, "S3 > 0 is this, seen by the receiver, where y points up",
         [&options](std::size_t word) { options.left_handed = word == 1; });
     add("zero", {"right", "up"}, "the azimuth counts from image right or up",
         [&options](std::size_t word) { options.azimuth_zero_deg = word == 1 ? 90.0 : 0.0; });
-    add("y", {"up", "down"}, "where the y axis of S2 points",
+    add("y", {"up", "down"}, "where y points; down: S2 and S3 have the other sign",
         [&options](std::size_t word) { options.y_down = word == 1; });
 }
 
