@@ -136,6 +136,12 @@ std::string caption_of(const StokesImage& image, const fs::path& input) {
     return scene == image.attributes.end() ? input.filename().string() : fs::path(scene->second).filename().string();
 }
 
+/// The residual, and the bars that come of it.
+bool tells_of_what_is_left_out(Quantity quantity) {
+    return quantity == Quantity::residual || quantity == Quantity::dop_error ||
+           quantity == Quantity::ellipticity_error || quantity == Quantity::azimuth_error;
+}
+
 Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t band, const MapOptions& options,
                        const Request& request, const fs::path& output) {
     POL_TRY(const auto map, draw_map(image, quantity, band, options));
@@ -149,6 +155,9 @@ Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t 
     if (unknown > 0)
         remark(fmt::format("{}: '{}' needs a Stokes component that was not measured\n", request.path().string(),
                            info(quantity).name));
+    if (image.residual.empty() && tells_of_what_is_left_out(quantity))
+        remark(fmt::format("{}: '{}' is drawn as if all light were there: the picture has no residual that tells\n",
+                           request.path().string(), info(quantity).name));
     warn_of(PixelState::unphysical, "are unphysical: negative S0 or residual, or polarized light without S0");
     if (request.plain) return write_png(map.picture, output);
     POL_TRY(const auto picture, map_picture(map, caption_of(image, request.path())));

@@ -82,6 +82,15 @@ class StokesChannels(Pictures):
         self.refuse(2, ["'R'", "580 nm"], "maps", CASES / "plain.exr", "--map", "dop", "--band", "R", "-o", "x.png")
 
 
+    def test_a_bound_of_a_picture_that_has_none_is_not_drawn_without_a_word(self):
+        for name in ("residual", "dop_error", "ellipticity_error", "azimuth_error"):
+            with self.subTest(name):
+                done = self.run_program("maps", MITSUBA / "mono_luminance_f32.exr", "--map", name, "-o", "map.png")
+                self.assertEqual(done.returncode, 0)
+                self.assertIn(f"'{name}' is drawn as if all light were there", done.stderr)
+        self.succeed("maps", MITSUBA / "mono_luminance_f32.exr", "--map", "dop", "-o", "map.png")
+
+
 class Crops(Pictures):
     """Case 02."""
 
