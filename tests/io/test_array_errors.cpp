@@ -200,7 +200,7 @@ TEST_F(ArrayFile, ACubeOfFitsIsHeldAgainstItsHeader) {
     EXPECT_SAYS(
         complaint("f.fits", replaced(whole, "BITPIX  =                  -32", "BITPIX  =                   64")),
         "BITPIX 64");
-    EXPECT_SAYS(complaint("f.fits", replaced(whole, "'STOKES  '", "'FREQ    '")), "no axis STOKES");
+    EXPECT_SAYS(complaint("f.fits", replaced(whole, "'STOKES  '", "'FREQ    '")), "no axis STOKES behind the two");
     EXPECT_SAYS(complaint("f.fits", whole, "hwc"), "'hwc'");
 }
 

@@ -52,7 +52,11 @@ Result<std::vector<Endpoint>> places_of(const LiveAddress& address, ErrorKind ki
     addrinfo* found = nullptr;
     const int status = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &found);
     if (status != 0)
-        return Error{kind, fmt::format("there is no machine '{}': {}", address.host, gai_strerror(status))};
+        return Error{kind,
+                     fmt::format("there is no machine '{}': {}", address.host, gai_strerror(status)),
+                     {},
+                     {},
+                     "check its name, or give its number, such as 127.0.0.1"};
     const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
     std::vector<Endpoint> places;
     for (const addrinfo* one = found; one != nullptr; one = one->ai_next) {

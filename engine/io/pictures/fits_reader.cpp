@@ -233,8 +233,9 @@ Result<Cube> cube_of(const Cards& cards, const FileBytes& file) {
         }
     }
     if (stokes_axis.empty())
-        return input_error("has no axis STOKES, so that nothing says what its numbers are",
-                           "CTYPE3 = 'STOKES' with the codes 1 to 4");
+        return input_error(
+            "has no axis STOKES behind the two of the picture, so that nothing says what its numbers are",
+            "CTYPE3 = 'STOKES' with the codes 1 to 4");
     const std::optional<std::uint64_t> count = number_count(shape);
     if (!count || *count > file.left() / cube.format.bytes())
         return input_error(

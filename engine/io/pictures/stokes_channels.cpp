@@ -38,7 +38,7 @@ Error input_error(std::string what, std::string hint) {
 Error nothing_fits(const std::vector<std::string>& names) {
     return input_error(fmt::format("no Stokes channels; found {}", channels::some_of(names)),
                        "expected S0.580,000000nm to S3.580,000000nm (Fichet, Pacanowski & Wilkie 2021), S0.R to S3.B, "
-                       "S0 to S3, or R, G and B");
+                       "S0 to S3, or R, G and B; S0, S1 and S2 belong together");
 }
 
 Result<StokesChannels> insist(std::string_view layout, const std::vector<std::string>& names,
