@@ -170,9 +170,9 @@ int run(CompareRequest& request) {
         if (!found.adopted) found.distance = distance_of(a.value(), b.value(), pairing.value());
         if (found.adoptable) {
             read_in(b.value(), *found.adoptable);
-            Distance then = distance_of(a.value(), b.value(), pairing.value());
+            const Distance then = distance_of(a.value(), b.value(), pairing.value());
             if (found.adopted)
-                found.distance = std::move(then);
+                found.distance = then;
             else
                 found.with_adoptable = then.metrics;
         }

@@ -136,12 +136,6 @@ std::string caption_of(const StokesImage& image, const fs::path& input) {
     return scene == image.attributes.end() ? input.filename().string() : fs::path(scene->second).filename().string();
 }
 
-/// The residual, and the bars that come of it.
-bool tells_of_what_is_left_out(Quantity quantity) {
-    return quantity == Quantity::residual || quantity == Quantity::dop_error ||
-           quantity == Quantity::ellipticity_error || quantity == Quantity::azimuth_error;
-}
-
 Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t band, const MapOptions& options,
                        const Request& request, const fs::path& output) {
     POL_TRY(const auto map, draw_map(image, quantity, band, options));
@@ -151,12 +145,13 @@ Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t 
             remark(fmt::format("{}: {} pixels of '{}' {}\n", request.path().string(), bad, info(quantity).name, what));
     };
     warn_of(PixelState::not_a_number, "are not a number");
+    const bool is_of_bounds = info(quantity).is_of_bounds();
     const std::size_t unknown = map.state_count[static_cast<std::size_t>(PixelState::not_measured)];
-    if (unknown > 0)
+    if (unknown > 0 && !is_of_bounds)
         remark(fmt::format("{}: '{}' needs a Stokes component that was not measured\n", request.path().string(),
                            info(quantity).name));
-    if (image.residual.empty() && tells_of_what_is_left_out(quantity))
-        remark(fmt::format("{}: '{}' is drawn as if all light were there: the picture has no residual that tells\n",
+    if (unknown > 0 && is_of_bounds)
+        remark(fmt::format("{}: '{}' is not known: the picture has no residual, which tells what was not traced\n",
                            request.path().string(), info(quantity).name));
     warn_of(PixelState::unphysical, "are unphysical: negative S0 or residual, or polarized light without S0");
     if (request.plain) return write_png(map.picture, output);

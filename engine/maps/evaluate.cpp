@@ -104,6 +104,7 @@ std::string_view unit_of(Quantity quantity, const Band& band) {
 MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) {
     POL_EXPECTS(quantity != Quantity::color);
     if (!light.known.has(info(quantity).needs)) return empty(PixelState::not_measured);
+    if (info(quantity).is_of_bounds() && !light.is_bounded) return empty(PixelState::not_measured);
     if (info(quantity).of_two) return empty(PixelState::undefined);
     const Stokes<double>& s = light.stokes;
     if (quantity == Quantity::intensity) return number(s.s0 / d65);

@@ -90,6 +90,10 @@ struct QuantityInfo {
     bool of_two = false;         ///< how far two pictures are apart; of a single one it is undefined
     double rounding_size = 1.0;  ///< beside what a value can be nothing but rounding; 0: every digit counts
 
+    /// A bound, or how much was not traced: of a picture that does not tell, nobody knows.
+    [[nodiscard]] constexpr bool is_of_bounds() const {
+        return group == MapGroup::trust && quantity != Quantity::unphysical;
+    }
     /// Fades as the part of the light that has the property vanishes.
     [[nodiscard]] constexpr bool fades() const { return carrier != Carrier::light && has_bar; }
     [[nodiscard]] constexpr std::string_view title_in_list() const { return list_title.empty() ? title : list_title; }

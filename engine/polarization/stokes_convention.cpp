@@ -56,8 +56,10 @@ std::string StokesConvention::text() const {
     std::string zero = azimuth_zero_deg == 0.0    ? "image right"
                        : azimuth_zero_deg == 90.0 ? "image up"
                                                   : shortest(azimuth_zero_deg) + "\u00b0 from image right";
-    return std::string("S3 > 0 is ") + (left_handed ? "left" : "right") + "-handed, y points " +
-           (y_down ? "down" : "up") + ", azimuth from " + zero;
+    if (y_down)
+        return std::string("S3 > 0 ") + (left_handed ? "left" : "right") +
+               "-handed, y down (S2, S3 turn), azimuth from " + zero;
+    return std::string("S3 > 0 is ") + (left_handed ? "left" : "right") + "-handed, y points up, azimuth from " + zero;
 }
 
 }  // namespace pol

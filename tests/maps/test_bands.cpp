@@ -41,8 +41,7 @@ TEST(Bands, APhotographHasIntensityAlone) {
     const StokesImage image = camera_pixel(StokesComponents::s0());
     for (const QuantityInfo& about : quantities()) {
         if (about.quantity == Quantity::color) continue;
-        const bool is_known = about.quantity == Quantity::intensity || about.quantity == Quantity::residual ||
-                              about.quantity == Quantity::unphysical;
+        const bool is_known = about.quantity == Quantity::intensity || about.quantity == Quantity::unphysical;
         EXPECT_EQ(state_of(image, about.quantity) != PixelState::not_measured, is_known) << about.name;
     }
 }

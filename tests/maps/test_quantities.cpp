@@ -297,8 +297,16 @@ TEST(ErrorBars, ArePerWavelengthIfTheResidualIs) {
     EXPECT_DOUBLE_EQ(error_bars(image, 1, 0)->s0.high, 1.6);
 }
 
-TEST(ErrorBars, AreEmptyWithoutMissingLight) {
+TEST(ErrorBars, AreNotKnownOfAPictureThatDoesNotTellWhatWasLeftOut) {
     const StokesImage image = one_pixel({2.0, 1.0, 0.5, 0.25});
+    for (const Quantity quantity :
+         {Quantity::residual, Quantity::dop_error, Quantity::ellipticity_error, Quantity::azimuth_error})
+        EXPECT_EQ(pixel(image, quantity).state, PixelState::not_measured) << info(quantity).name;
+    EXPECT_EQ(pixel(image, Quantity::unphysical).state, PixelState::defined);
+}
+
+TEST(ErrorBars, AreEmptyWithoutMissingLight) {
+    const StokesImage image = with_residual(one_pixel({2.0, 1.0, 0.5, 0.25}), 0.0);
     EXPECT_EQ(pixel(image, Quantity::dop_error).value, 0.0);
     EXPECT_EQ(pixel(image, Quantity::azimuth_error).value, 0.0);
     EXPECT_NEAR(pixel(image, Quantity::ellipticity_error).value, 0.0, 1e-15);

@@ -48,15 +48,16 @@ void draw_comparison(const Session& session, Wishes& wishes) {
 
 void MapsPanel::draw(const Session& session, Wishes& wishes) {
     const float key_column = ImGui::CalcTextSize("Shift+D").x;
-    std::optional<StokesComponents> known;
-    if (session.current() != nullptr) known = session.shown_picture().known(session.view().band);
+    std::optional<ShownPicture> shown;
+    if (session.current() != nullptr) shown.emplace(session.shown_picture());
+    const std::size_t band = session.view().band;
     MapGroup group = quantities().front().group;
     for (const QuantityInfo& quantity : quantities()) {
         if (quantity.group != group) ImGui::Separator();
         group = quantity.group;
         const std::string title(quantity.title_in_list());
         const KeyChord chord = chord_of(quantity.quantity);
-        const bool is_measured = !known || known->has(quantity.needs);
+        const bool is_measured = !shown || shown->measures(quantity.quantity, band);
         // It can still be chosen: the picture then says so, and another band may have it.
         if (!is_measured) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
         if (ImGui::Selectable(title.c_str(), session.view().quantity == quantity.quantity))
@@ -64,7 +65,11 @@ void MapsPanel::draw(const Session& session, Wishes& wishes) {
         if (!is_measured) ImGui::PopStyleColor();
         name_widget("map " + std::string(quantity.name));
         std::string definition = session.view().convention.definition(quantity.quantity);
-        if (!is_measured) definition += "\nThis picture does not have it: " + missing_text(quantity.needs, *known);
+        if (!is_measured) {
+            const std::string missing = missing_text(quantity.needs, shown->known(band));
+            definition += "\nThis picture does not have it: " +
+                          (missing.empty() ? std::string("it does not tell what was not traced") : missing);
+        }
         tooltip(definition.c_str());
         if (chord.key == Key::none) continue;
         ImGui::SameLine(ImGui::GetContentRegionMax().x - key_column);

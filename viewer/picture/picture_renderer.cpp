@@ -165,7 +165,7 @@ Drawn what_to_draw(const Session& session, const ShownSide& side, int width, int
     drawn.high = to_single(look.range.high);
     drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[side.band]);
     drawn.d65 = d65 ? to_single(d65.value()) : 0.0F;
-    drawn.is_measured = shown_on(side, session).known(side.band).has(info(view.quantity).needs);
+    drawn.is_measured = shown_on(side, session).measures(view.quantity, side.band);
     drawn.has_polarimeter = !session.polarimeter().empty();
     drawn.polarimeter_row = to_single(first_row[0], first_row[1], first_row[2], first_row[3]);
     drawn.gain = to_single(std::exp2(view.exposure));

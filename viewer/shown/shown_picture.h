@@ -7,6 +7,7 @@
 #include "film/film.h"
 #include "film/stokes_image.h"
 #include "maps/pixel_light.h"
+#include "maps/quantity.h"
 #include "viewer/shown/convention.h"
 #include "viewer/shown/polarimeter.h"
 
@@ -38,6 +39,7 @@ public:
                 mean.scale = light.scale;
                 mean.rounding = light.rounding;
                 mean.step = light.step;
+                mean.is_bounded = light.is_bounded;
             }
         }
         const double share = 1.0 / static_cast<double>(rect.pixel_count());
@@ -46,6 +48,11 @@ public:
         mean.surplus *= share;
         mean.residual *= share;
         return labeled(mean);
+    }
+    /// Whether the picture tells all that a map of the band needs.
+    [[nodiscard]] bool measures(Quantity quantity, std::size_t band) const {
+        const QuantityInfo& about = info(quantity);
+        return known(band).has(about.needs) && !(about.is_of_bounds() && picture_.residual.empty());
     }
     /// Those of a band that are known on screen.
     [[nodiscard]] StokesComponents known(std::size_t band) const {

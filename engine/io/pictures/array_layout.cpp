@@ -48,6 +48,12 @@ bool is_tensor(std::uint64_t length) {
     return length >= 12 && length <= 16;
 }
 
+/// More than 64 bands of at most 64 columns are rather rows with bands behind the columns.
+bool has_bands_behind(const ArrayShape& shape) {
+    constexpr std::uint64_t most_bands = 64;
+    return shape[0] > most_bands && shape[2] <= most_bands;
+}
+
 const std::vector<Form>& forms() {
     using Shape = ArrayShape;
     static const std::vector<Form> all{
@@ -81,15 +87,15 @@ const std::vector<Form>& forms() {
         {"nhwc",
          "bands, rows, columns, Stokes",
          {Role::band, Role::row, Role::column, Role::stokes},
-         [](const Shape& s) { return s.size() == 4 && s[3] == 4 && s[2] != 3; },
+         [](const Shape& s) { return s.size() == 4 && s[3] == 4 && s[2] != 3 && !has_bands_behind(s); },
          [](const Shape& s) { return s.size() == 4 && is_stokes(s[3]); },
          {}},
         {"hwnc",
          "rows, columns, bands, Stokes",
          {Role::row, Role::column, Role::band, Role::stokes},
-         [](const Shape&) { return false; },
+         [](const Shape& s) { return s.size() == 4 && s[3] == 4 && s[2] != 3 && has_bands_behind(s); },
          [](const Shape& s) { return s.size() == 4 && is_stokes(s[3]); },
-         {}},
+         "The third axis is the bands: as the first one it would be too many (--layout nhwc if it is)."},
     };
     return all;
 }

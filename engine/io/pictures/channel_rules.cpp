@@ -176,6 +176,17 @@ bool is_polarization(std::string_view name) {
     return false;
 }
 
+/// S1, S2 or S3 in any layer: a picture that has one of them and did not fit lacks another one.
+bool is_stokes_part(std::string_view name) {
+    while (!name.empty()) {
+        const auto [rest, last] = split(name);
+        const bool is_part = last.size() == 2 && (last[0] == 'S' || last[0] == 's') && last[1] >= '1' && last[1] <= '3';
+        if (is_part) return true;
+        name = rest;
+    }
+    return false;
+}
+
 std::optional<Fit> plain_fit(std::vector<BandChannels> bands, std::vector<std::string> names) {
     for (const BandChannels& band : bands) std::erase(names, band.names[0]);
     std::erase(names, "A");
@@ -316,6 +327,7 @@ MaybeFit bare(const std::vector<std::string>& names, std::string_view /*generato
 }
 
 MaybeFit plain(const std::vector<std::string>& names, std::string_view /*generator*/) {
+    if (std::any_of(names.begin(), names.end(), is_stokes_part)) return std::optional<Fit>();
     if (auto bands = colors_of(names, {}); !bands.empty()) return plain_fit(std::move(bands), names);
     if (has(names, "Y")) return plain_fit({s0_only("Y", "Y")}, names);
     if (auto only = one_component(names)) {
