@@ -159,6 +159,9 @@ ordered_json json_of(const compare::ConventionVerdict& verdict, const StokesConv
     out["scale"] = fit.scale;
     out["degree_of_polarization_scale"] = fit.dop_scale;
     out["gamma"] = verdict.gamma ? ordered_json(*verdict.gamma) : ordered_json();
+    out["stored_as"] = compare::name_of(verdict.coding);
+    out["clipped"] =
+        verdict.clip ? ordered_json{{"at", verdict.clip->at}, {"share", verdict.clip->share}} : ordered_json();
     out["s0_correlation"] = verdict.s0_correlation;
     out["difference"] = verdict.difference;
     out["boxes"] = verdict.boxes;

@@ -56,6 +56,121 @@ Finding finding_of(const ConventionFits& found, const ConventionVerdict& verdict
     return is_plain(verdict) ? Finding::same_convention : Finding::explained;
 }
 
+/// The verdict on the numbers as they are.
+ConventionVerdict judge(const StokesPlane& a, const StokesPlane& b, std::optional<double> pixel_tangent) {
+    const ConventionFits found = fit_conventions(a, b, pixel_tangent);
+    ConventionVerdict verdict;
+    verdict.judged = found.judged;
+    if (found.fits.empty()) return verdict;
+    choose(found, verdict);
+    for (unsigned i = 1; i < 4; ++i)
+        if (found.judged.has(i) && !verdict.fit.decides(i - 1)) verdict.undecided = verdict.undecided.with(i);
+    verdict.gamma = s0_gamma(a, b, verdict.fit.geometry);
+    verdict.s0_correlation = found.s0_correlation;
+    verdict.boxes = static_cast<int>(found.boxes);
+    verdict.floor = found.floor / std::sqrt(found.light_of_b / found.boxes);
+    if (found.polarization_of_b > 0.0)
+        verdict.polarization_residual = std::sqrt(verdict.fit.residual / found.polarization_of_b);
+    verdict.difference =
+        std::sqrt((verdict.fit.residual + found.s0_residual) / (found.polarization_of_b + found.light_of_b));
+    verdict.finding = finding_of(found, verdict);
+    return verdict;
+}
+
+/// Without the boxes that have a part in the light that is cut off.
+StokesPlane without_clipped(StokesPlane plane, double at) {
+    for (std::size_t i = 0; i < plane.peaks.size(); ++i) {
+        if (plane.peaks[i].s0 < at) continue;
+        plane.light[i] = {};
+        plane.counts[i] = 0;
+    }
+    return plane;
+}
+
+constexpr std::array<double Stokes<double>::*, 3> polarized{&Stokes<double>::s1, &Stokes<double>::s2,
+                                                            &Stokes<double>::s3};
+
+/// Is there light in the box?
+bool is_lit(const StokesPlane& plane, std::size_t box) {
+    return plane.counts[box] != 0 && plane.light[box].s0 > 0.0;
+}
+
+/// The numbers without their offset; empty if one of them cannot have it. A reader may have changed signs.
+std::optional<StokesPlane> decoded(StokesPlane plane, StokesComponents judged, Coding coding) {
+    constexpr double slack = 1e-6;
+    double squares = 0.0, lit = 0.0;
+    for (std::size_t box = 0; box < plane.light.size(); ++box) {
+        if (!is_lit(plane, box)) continue;
+        squares += plane.light[box].s0 * plane.light[box].s0;
+        lit += 1.0;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!judged.has(static_cast<unsigned>(i) + 1)) continue;
+        double least = 1.0, most = -1.0;
+        for (std::size_t box = 0; box < plane.light.size(); ++box) {
+            if (!is_lit(plane, box)) continue;
+            least = std::min(least, plane.light[box].*polarized[i]);
+            most = std::max(most, plane.light[box].*polarized[i]);
+        }
+        const bool is_positive = least >= -slack && most <= 1.0 + slack;
+        const bool is_negative = most <= slack && least >= -1.0 - slack;
+        if (!is_positive && !is_negative) return std::nullopt;
+        for (std::size_t box = 0; box < plane.light.size(); ++box) {
+            double& s = plane.light[box].*polarized[i];
+            const double unit = coding == Coding::offset ? 1.0 : plane.light[box].s0;
+            s = is_lit(plane, box) ? unit * (is_positive ? 2.0 * s - 1.0 : 2.0 * s + 1.0) : 0.0;
+        }
+    }
+    plane.noise *= coding == Coding::offset ? 2.0 : 2.0 * std::sqrt(squares / std::max(1.0, lit));
+    return plane;
+}
+
+/// Sum of squares of the judged components, their means removed.
+double variation(const StokesPlane& plane, StokesComponents judged) {
+    double total = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!judged.has(static_cast<unsigned>(i) + 1)) continue;
+        double count = 0.0, sum = 0.0, squares = 0.0;
+        for (std::size_t box = 0; box < plane.light.size(); ++box) {
+            if (!is_lit(plane, box)) continue;
+            const double s = plane.light[box].*polarized[i];
+            count += 1.0;
+            sum += s;
+            squares += s * s;
+        }
+        if (count > 0.0) total += std::max(0.0, squares - sum * sum / count);
+    }
+    return total;
+}
+
+/// `plain`, or the verdict on numbers with an offset if that explains B far better.
+ConventionVerdict with_coding(const ConventionVerdict& plain, const StokesPlane& a, const StokesPlane& b,
+                              std::optional<double> pixel_tangent) {
+    constexpr double far_better = 0.5;
+    constexpr double left_over = 0.1;  // of the squares: a correlation of 0.95
+    constexpr double steepest = 1.25;
+    ConventionVerdict best = plain;
+    double limit = far_better * plain.polarization_residual;
+    if (plain.finding != Finding::same_convention && plain.finding != Finding::explained &&
+        plain.finding != Finding::disagree)
+        return best;
+    for (const Coding coding : {Coding::offset, Coding::ratio_offset}) {
+        const std::optional<StokesPlane> mended = decoded(b, plain.judged, coding);
+        if (!mended) break;
+        ConventionVerdict verdict = judge(a, *mended, pixel_tangent);
+        const bool fits = verdict.finding == Finding::same_convention || verdict.finding == Finding::explained;
+        const double slope = verdict.fit.dop_scale;
+        if (!fits || slope > steepest || slope < 1.0 / steepest || !(verdict.polarization_residual < limit)) continue;
+        // Not by its mean alone: light that is the same everywhere has no slope.
+        if (verdict.fit.residual > left_over * variation(*mended, plain.judged)) continue;
+        limit = verdict.polarization_residual / equal_residuals;
+        verdict.coding = coding;
+        verdict.finding = Finding::explained;
+        best = verdict;
+    }
+    return best;
+}
+
 }  // namespace
 
 std::string_view name_of(Finding finding) {
@@ -80,29 +195,33 @@ std::string_view name_of(Finding finding) {
     return "";
 }
 
+std::string_view name_of(Coding coding) {
+    switch (coding) {
+        case Coding::plain:
+            return "s";
+        case Coding::offset:
+            return "0.5 + s/2";
+        case Coding::ratio_offset:
+            return "0.5 + s/(2 S0)";
+    }
+    return "";
+}
+
 ConventionVerdict diagnose(const StokesPlane& a, const StokesPlane& b, std::optional<double> pixel_tangent) {
-    const ConventionFits found = fit_conventions(a, b, pixel_tangent);
-    ConventionVerdict verdict;
-    verdict.judged = found.judged;
-    if (found.fits.empty()) return verdict;
-    choose(found, verdict);
-    for (unsigned i = 1; i < 4; ++i)
-        if (found.judged.has(i) && !verdict.fit.decides(i - 1)) verdict.undecided = verdict.undecided.with(i);
-    verdict.gamma = s0_gamma(a, b, verdict.fit.geometry);
-    verdict.s0_correlation = found.s0_correlation;
-    verdict.boxes = static_cast<int>(found.boxes);
-    verdict.floor = found.floor / std::sqrt(found.light_of_b / found.boxes);
-    if (found.polarization_of_b > 0.0)
-        verdict.polarization_residual = std::sqrt(verdict.fit.residual / found.polarization_of_b);
-    verdict.difference =
-        std::sqrt((verdict.fit.residual + found.s0_residual) / (found.polarization_of_b + found.light_of_b));
-    verdict.finding = finding_of(found, verdict);
+    const ConventionVerdict all = judge(a, b, pixel_tangent);
+    if (all.finding == Finding::nothing_in_common) return all;
+    const std::optional<Clip> clip = s0_clip(a, b, all.fit.geometry);
+    if (!clip) return with_coding(all, a, b, pixel_tangent);
+    const StokesPlane rest = without_clipped(b, clip->at);
+    ConventionVerdict verdict = with_coding(judge(a, rest, pixel_tangent), a, rest, pixel_tangent);
+    verdict.clip = clip;
     return verdict;
 }
 
 std::optional<StokesConvention> adoptable(const ConventionVerdict& verdict, const StokesConvention& current) {
     const ConventionFit& fit = verdict.fit;
-    if (verdict.finding != Finding::explained || fit.geometry != Geometry::same) return std::nullopt;
+    if (verdict.finding != Finding::explained || verdict.coding != Coding::plain || fit.geometry != Geometry::same)
+        return std::nullopt;
     if (fit.order[2] != 3 || fit.frame == FrameChange::radial || fit.frame == FrameChange::projected ||
         fit.frame == FrameChange::unprojected)
         return std::nullopt;

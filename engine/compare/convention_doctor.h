@@ -27,13 +27,25 @@ enum class Finding {
 /// "same convention", "explained", "no convention explains it", ...
 std::string_view name_of(Finding finding);
 
+/// How B keeps S1 to S3.
+enum class Coding {
+    plain,
+    offset,       ///< 0.5 + s/2, for numbers that have no sign
+    ratio_offset  ///< 0.5 + s/(2 S0)
+};
+/// "s", "0.5 + s/2", "0.5 + s/(2 S0)".
+std::string_view name_of(Coding coding);
+
 /// What was found. A is ours, B the other one: what is said of signs, turns and scale makes B from A.
 struct ConventionVerdict {
     Finding finding = Finding::nothing_in_common;
-    ConventionFit fit;            ///< the simplest one within 5 % of the best; default where there is none
-    std::vector<Geometry> tied;   ///< geometries that fit as well, `fit.geometry` among them: a symmetric scene
-    StokesComponents judged;      ///< S1, S2, S3 that both have
-    StokesComponents undecided;   ///< judged, but below the noise
+    ConventionFit fit;           ///< the simplest one within 5 % of the best; default where there is none
+    std::vector<Geometry> tied;  ///< geometries that fit as well, `fit.geometry` among them: a symmetric scene
+    StokesComponents judged;     ///< S1, S2, S3 that both have
+    StokesComponents undecided;  ///< judged, but below the noise
+    /// Unless plain, everything here is of B's numbers without it, and they are `explained` or nothing is.
+    Coding coding = Coding::plain;
+    std::optional<Clip> clip;     ///< everything else is of the boxes that have no part in it
     std::optional<double> gamma;  ///< as s0_gamma
     double s0_correlation = 0.0;
     double polarization_residual = 0.0;  ///< sqrt of what is left over, S1 to S3, relative to B
@@ -62,7 +74,8 @@ std::vector<SignChange> fitting_sign_changes(const ConventionVerdict& verdict);
 
 /// What B's numbers have to be taken to be written in, so that they are in A's convention, if `current` is what they
 /// were taken for. Where S3 is not decided, its sign is that of the simplest change. Empty if nothing has to change, or
-/// if no convention can say it: another order or picture symmetry, a frame that depends on the pixel, no explanation.
+/// if no convention can say it: numbers with an offset, another order or picture symmetry, a frame that depends on the
+/// pixel, no explanation.
 std::optional<StokesConvention> adoptable(const ConventionVerdict& verdict, const StokesConvention& current);
 
 /// The verdict in words for the user: what B has, who writes so, what is not decided, whether S0 is alike. `current` as

@@ -331,4 +331,38 @@ std::optional<double> s0_gamma(const StokesPlane& a, const StokesPlane& b, Geome
     return (xy - x * y / count) / spread;
 }
 
+std::optional<Clip> s0_clip(const StokesPlane& a, const StokesPlane& b, Geometry geometry) {
+    constexpr double least_spread = 0.05;
+    constexpr double deviations = 3.0;
+    Clip clip;
+    for (const Peak& peak : b.peaks) clip.at = std::max(clip.at, peak.s0);
+    double boxes = 0.0, count = 0.0, sum = 0.0, squares = 0.0;       // of A where B is cut off
+    double others = 0.0, other_squares = 0.0, other_products = 0.0;  // where it is not
+    for_each_pair(a, b, geometry, [&](const Stokes<double>& p, const Stokes<double>& q, int x, int y) {
+        const Peak& peak =
+            b.peaks[static_cast<std::size_t>(y) * static_cast<std::size_t>(b.width) + static_cast<std::size_t>(x)];
+        boxes += 1.0;
+        if (peak.s0 < clip.at) {
+            others += 1.0;
+            other_squares += p.s0 * p.s0;
+            other_products += p.s0 * q.s0;
+            return;
+        }
+        clip.share += peak.share;
+        if (peak.share < 0.5) return;
+        count += 1.0;
+        sum += p.s0;
+        squares += p.s0 * p.s0;
+    });
+    if (count < fewest_boxes || others < fewest_boxes) return std::nullopt;
+    const double mean = sum / count;
+    const double variance = squares / count - mean * mean;
+    const double even = least_spread * mean;
+    const double noise = deviations * a.noise;
+    if (!(variance > even * even + noise * noise) || !(other_products * mean > clip.at * other_squares))
+        return std::nullopt;
+    clip.share /= boxes;
+    return clip;
+}
+
 }  // namespace pol::compare

@@ -74,4 +74,14 @@ ConventionFits fit_conventions(const StokesPlane& a, const StokesPlane& b, std::
 /// there are fewer than 8 such boxes, or if S0 hardly varies (standard deviation of the logarithm 0.05).
 std::optional<double> s0_gamma(const StokesPlane& a, const StokesPlane& b, Geometry geometry);
 
+/// Light that B cuts off.
+struct Clip {
+    double at = 0.0;     ///< S0 of B there
+    double share = 0.0;  ///< of the pixels of boxes that both have light in
+};
+/// B's largest S0, if A goes on above it: in the boxes of which at least half has it, A varies (standard deviation 5 %
+/// of the mean, and three standard errors) and is brighter than that by the scale of the others. Empty if not, or if
+/// there are fewer than 8 boxes of either kind: a highlight smaller than a box is not seen.
+std::optional<Clip> s0_clip(const StokesPlane& a, const StokesPlane& b, Geometry geometry);
+
 }  // namespace pol::compare

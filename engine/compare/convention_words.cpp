@@ -62,6 +62,11 @@ std::string_view words_of(Geometry geometry) {
 std::vector<std::string> changes_of(const ConventionVerdict& verdict) {
     const ConventionFit& fit = verdict.fit;
     std::vector<std::string> changes;
+    if (verdict.coding != Coding::plain)
+        changes.push_back(
+            fmt::format("has {} stored as {}",
+                        verdict.judged == StokesComponents::all().without(0) ? "S1 to S3" : list_of(verdict.judged),
+                        name_of(verdict.coding)));
     if (fit.geometry != Geometry::same) changes.emplace_back(words_of(fit.geometry));
     const bool is_in_order = fit.order == std::array<int, 3>{1, 2, 3};
     const StokesComponents flipped = flipped_in(fit.signs);
@@ -160,7 +165,8 @@ std::string_view known_scale(double scale) {
     return {};
 }
 
-std::string about_light(const ConventionVerdict& verdict) {
+/// What share S0 of B is of ours.
+std::string about_scale(const ConventionVerdict& verdict) {
     if (verdict.gamma && std::abs(*verdict.gamma - 1.0) > 0.05)
         return fmt::format(" S0 of B is not linear: it goes as ours to the power {:.3g}{}.", *verdict.gamma,
                            std::abs(*verdict.gamma - 0.45) < 0.05 ? ", as in a gamma-encoded picture" : "");
@@ -174,6 +180,13 @@ std::string about_light(const ConventionVerdict& verdict) {
     if (has_match && std::abs(verdict.fit.dop_scale - 1.0) > 0.05)
         text += fmt::format(" Its degree of polarization is {:.3g} times ours.", verdict.fit.dop_scale);
     return text;
+}
+
+std::string about_light(const ConventionVerdict& verdict) {
+    if (!verdict.clip) return about_scale(verdict);
+    return fmt::format(" S0 of B is clipped at {:.4g} in {:.2g} % of the pixels, which are left out here.",
+                       verdict.clip->at, 100.0 * verdict.clip->share) +
+           about_scale(verdict);
 }
 
 std::string about_ties(const ConventionVerdict& verdict) {
@@ -252,6 +265,9 @@ std::string sentence(const ConventionVerdict& verdict, const StokesConvention& c
     }
     std::string text = fmt::format("B {}; with that the pictures {}.", join(changes_of(verdict), "; and it "),
                                    agreement(verdict.difference));
+    if (verdict.coding != Coding::plain)
+        text += fmt::format(" Take s = {} of each number b first.",
+                            verdict.coding == Coding::offset ? "2 b - 1" : "(2 b - 1) S0");
     if (const auto wanted = adoptable(verdict, current))
         text += fmt::format(" Set {} for B?", what_to_set(*wanted, current));
     return text + about_undecided(verdict) + about_unmeasured(verdict) + light + about_ties(verdict);

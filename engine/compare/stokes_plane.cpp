@@ -32,6 +32,8 @@ struct Box {
     Stokes<double> light;
     double square_error = 0.0;  ///< of S1, S2 and S3
     int known = 0;
+    double peak = 0.0;
+    int at_peak = 0;
 };
 
 class Reader {
@@ -55,6 +57,11 @@ public:
         box.light += sum;
         box.square_error += error.s1 * error.s1 + error.s2 * error.s2 + error.s3 * error.s3;
         ++box.known;
+        if (sum.s0 > box.peak) {
+            box.peak = sum.s0;
+            box.at_peak = 0;
+        }
+        if (sum.s0 == box.peak) ++box.at_peak;
     }
 
     [[nodiscard]] StokesComponents known() const {
@@ -100,6 +107,7 @@ StokesPlane plane_of(const StokesImage& image, const Area& area, std::span<const
     const auto boxes = static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height);
     plane.light.resize(boxes);
     plane.counts.resize(boxes);
+    plane.peaks.resize(boxes);
     double square_error = 0.0;
     double with_error = 0.0;
     std::vector<Box> row(static_cast<std::size_t>(plane.width));
@@ -116,6 +124,7 @@ StokesPlane plane_of(const StokesImage& image, const Area& area, std::span<const
             const std::size_t at = static_cast<std::size_t>(j) * row.size() + i;
             plane.light[at] = (1.0 / one.known) * one.light;
             plane.counts[at] = 1;
+            plane.peaks[at] = {one.peak, static_cast<double>(one.at_peak) / one.known};
             const double variance = one.square_error / (3.0 * one.known * one.known);
             if (!std::isfinite(variance)) continue;
             square_error += variance;

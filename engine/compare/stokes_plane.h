@@ -20,12 +20,19 @@ struct Area {
     friend bool operator==(const Area&, const Area&) = default;
 };
 
+/// The brightest light of a box.
+struct Peak {
+    double s0 = 0.0;
+    double share = 0.0;  ///< of the pixels that are known, those that have exactly this S0
+};
+
 /// Means over boxes of pixels, row 0 at the top, in the frame of the picture (StokesImage).
 struct StokesPlane {
     int width = 0;
     int height = 0;
     std::vector<Stokes<double>> light;  ///< 0 in a box that does not count
     std::vector<std::uint8_t> counts;   ///< 1: at least half of the box is light that is known
+    std::vector<Peak> peaks;            ///< of each box
     StokesComponents known;             ///< those that every band in it has
     double noise = 0.0;                 ///< rms standard error of S1, S2 and S3 in a box; 0: not known
     /// Where the camera's axis meets the plane, in boxes from the top left corner.
