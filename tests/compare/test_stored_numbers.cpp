@@ -92,7 +92,7 @@ TEST(StoredNumbers, AnOffsetIsNotReadIntoOtherNumbers) {
     // The light behind a polarizer is the same everywhere: half of S0 is no offset.
     std::mt19937 random(5);
     std::normal_distribution<double> noise(0.0, 0.001);
-    const StokesImage polarizer = changed(a, [&](const Stokes<double>& s) {
+    const StokesImage polarizer = changed(a, [&](const Stokes<double>&) {
         return Stokes<double>{1.0, -1.0 + noise(random), 0.0, 0.0};
     });
     StokesImage dark = changed(polarizer, [&](const Stokes<double>& s) {
