@@ -215,7 +215,8 @@ TEST(Evaluate, CallsNumbersThatNoLightHasUnphysicalAndNotNoNumber) {
     for (const Stokes<double>& s : {Stokes<double>{-1.0, 0.0, 0.0, 0.0}, {-1e-9, 0.0, 0.0, 1e-9}, {0.0, 0.0, 0.5, 0.0}})
         for (const Quantity quantity : {Quantity::dop, Quantity::azimuth, Quantity::ellipticity, Quantity::handedness,
                                         Quantity::s1, Quantity::azimuth_error})
-            EXPECT_EQ(pixel(one_pixel(s), quantity).state, PixelState::unphysical) << info(quantity).name;
+            EXPECT_EQ(pixel(with_residual(one_pixel(s), 0.0), quantity).state, PixelState::unphysical)
+                << info(quantity).name;
     EXPECT_EQ(pixel(with_residual(one_pixel({1.0, 0.5, 0.0, 0.0}), -0.1), Quantity::dop).state, PixelState::unphysical);
     EXPECT_EQ(pixel(one_pixel({-1.0, 0.0, 0.0, 0.0}), Quantity::intensity).value, -1.0) << "the number itself is there";
 }
