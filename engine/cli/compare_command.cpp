@@ -193,18 +193,12 @@ void add_compare_command(ProgramCommand app, int& exit_code) {
                     "A, ours, and B, the other one; B alone with --scene; several of B with --angles")
         .type_name(picture_names);
     command
-        .add_option(
-            "--scene", request->scene,
-            "The scene that both show. Without A ours is rendered from it, with its settings, of boxes of B's pixels "
-            "such that it is at most 64 x 64; at 21 wavelengths if B has R, G, B and the scene one. Its field of view "
-            "tells frames that depend on the pixel")
+        .add_option("--scene", request->scene,
+                    "The scene that both show, from which ours is rendered if A is left out; see below")
         .type_name("NAME.yaml");
     command.add_option("--band", request->band, "Compare this one only: a wavelength, or a name such as R")
         .type_name("BAND");
-    command
-        .add_option("--tolerance", request->tolerance,
-                    "Exit 0, too, if they are no farther apart than this share of the light: fro_c, of the components "
-                    "that both have")
+    command.add_option("--tolerance", request->tolerance, "Exit 0, too, if fro_c is at most this share of the light")
         .type_name("FRO_C");
     command.add_flag("--adopt", request->adopt,
                      "Take B to be written in the convention that explains it, if there is one");
@@ -213,6 +207,9 @@ void add_compare_command(ProgramCommand app, int& exit_code) {
     add_picture_options(command, request->a, "a-");
     command.footer(
         "Options of pictures are for B; with a- in front for A.\n"
+        "\n--scene renders ours with the scene's settings, of boxes of B's pixels such that it is at most 64 x 64; at "
+        "21\n"
+        "wavelengths if B has R, G, B and the scene one. Its field of view tells frames that depend on the pixel.\n"
         "\nSame: every number differs by no more than both files round it and both pictures left untraced; or the "
         "error "
         "bars\n"
