@@ -103,7 +103,7 @@ void PicturesPanel::draw(const Session& session, Wishes& wishes) {
         const std::string name = number + document.name() + (document.dirty() ? " *" : "");
         list.AddText(text, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
         std::string about = about_text(picture);
-        if (&document == session.reference()) about = "reference, " + about;
+        if (&document == session.reference()) about.insert(0, "reference, ");
         list.AddText({text.x, text.y + line}, ImGui::GetColorU32(ImGuiCol_TextDisabled), about.c_str());
         ImGui::PopClipRect();
         ImGui::LogText("%s\n%s\n", name.c_str(), about.c_str());
