@@ -16,6 +16,7 @@
 
 #include "io/exr_files.h"
 #include "io/pictures/picture_file.h"
+#include "io/pictures/stokes_channels.h"
 
 namespace pol {
 namespace {
@@ -296,6 +297,14 @@ TEST(PictureDialects, LossyCompressionIsNamed) {
     const StoredNumbers b44 = sample("cases/b44.exr").stored;
     EXPECT_EQ(b44.bits, 16);
     EXPECT_EQ(b44.lossy, "B44");
+}
+
+// Over the wire a channel may have no name; "" stands for a component that is not there.
+TEST(StokesChannels, AChannelWithoutANameIsNoPicture) {
+    EXPECT_FALSE(find_stokes_channels({""}, "", ""));
+    const auto found = find_stokes_channels({"", "S0", "S1", "S2"}, "", "");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found.value().bands[0].band.known, StokesComponents::linear());
 }
 
 }  // namespace

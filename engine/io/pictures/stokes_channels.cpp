@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -57,8 +58,12 @@ Result<StokesChannels> insist(std::string_view layout, const std::vector<std::st
 
 }  // namespace
 
-Result<StokesChannels> find_stokes_channels(const std::vector<std::string>& names, std::string_view generator,
+Result<StokesChannels> find_stokes_channels(const std::vector<std::string>& all_names, std::string_view generator,
                                             std::string_view layout) {
+    // A message may have a channel without a name; an empty name stands for a component that is not there.
+    std::vector<std::string> names;
+    std::copy_if(all_names.begin(), all_names.end(), std::back_inserter(names),
+                 [](const std::string& name) { return !name.empty(); });
     if (!layout.empty()) return insist(layout, names, generator);
     std::vector<std::string_view> fitting;
     std::optional<StokesChannels> found;
