@@ -409,5 +409,26 @@ TEST_F(Picture, OfAPartLiesWhereItIsInTheWhole) {
     expect_same(found, part);
 }
 
+// A strip holds 2^18 numbers, 436 rows of 600: one band of 600 x 600 pixels is two strips of light and two of color.
+TEST_F(Picture, ComesInStripsAndIsTheSameInTheEnd) {
+    StokesImage large;
+    large.width = 600;
+    large.height = 600;
+    large.bands = bands_at({550.0});
+    for (int i = 0; i < 600 * 600; ++i) large.stokes.push_back({1.0, i % 601 / 600.0, 0.0, 0.0});
+    open(large);
+    session_.show(Quantity::dop);
+    session_.change_transform() = {1.0, {0.0, 0.0}};
+    for (int strips = 1; strips < 4; ++strips) EXPECT_TRUE(renderer_->upload(session_, 0.0)) << strips;
+    EXPECT_FALSE(renderer_->upload(session_, 0.0));
+    EXPECT_FALSE(renderer_->upload(session_, 0.0)) << "nothing changed";
+    const RgbPicture in_strips = drawn(600, 600);
+    auto at_once = PictureRenderer::create();
+    ASSERT_TRUE(at_once);
+    renderer_ = std::move(at_once).value();
+    EXPECT_EQ(in_strips.pixels, drawn(600, 600).pixels);
+    EXPECT_NE(in_strips.pixels.front(), in_strips.pixels[599 * 600]);
+}
+
 }  // namespace
 }  // namespace pol

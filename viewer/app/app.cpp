@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -90,6 +91,8 @@ private:
     static constexpr double longest_sleep_s = 0.25;
     static constexpr double cursor_blink_s = 0.4;
     static constexpr double export_progress_s = 0.2;
+    /// Of a frame, for each picture's textures.
+    static constexpr double upload_share_s = 0.02;
 
     void obey(int signal) {
         if (signal != SIGUSR1) {
@@ -120,10 +123,12 @@ private:
         const double start = library_.now();
         library_.clear_wake();
         session_.update();
-        picture_.upload(session_);
-        reference_.upload(session_);
         // Asked for in a frame before this one, whose menu was still open.
         const bool is_wanted = !session_.wanted_window_picture().empty();
+        // A picture of the window shows all.
+        const double upload_s = is_wanted ? std::numeric_limits<double>::infinity() : upload_share_s;
+        bool is_behind = picture_.upload(session_, upload_s);
+        is_behind = reference_.upload(session_, upload_s) || is_behind;
         Frame frame;
         frame.ui_scale = window_.begin_frame();
         frame.picture_texture = texture_;
@@ -133,7 +138,7 @@ private:
         if (asked != nullptr) asked->begin();
         Wishes wishes = interface_.draw(session_, frame);
         ImGui::Render();
-        const bool is_final = wishes.empty();
+        const bool is_final = wishes.empty() && !is_behind;
         wishes.fulfil(session_);
         if (asked != nullptr) asked->end(session_, frame.viewport, is_final);
         const double ratio = window_.pixel_ratio();
@@ -151,6 +156,7 @@ private:
         if (window_.input_waits()) pacer_.input(end);
         if (ImGui::GetIO().WantTextInput) frame.again(cursor_blink_s);
         if (!session_.exports().idle()) frame.again(export_progress_s);
+        if (is_behind) frame.again(0.0);
         if (frame.redraw_in < 1e9) pacer_.animate(end, frame.redraw_in);
         if (probe_ != nullptr) probe_->note_frame(end - start, input_at_ ? end - *input_at_ : 0.0);
         input_at_.reset();

@@ -2,7 +2,9 @@
 #include "viewer/picture/picture_renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -199,6 +201,23 @@ void set_uniforms(const Program& program, const Drawn& drawn) {
     program.set("hatch_dark", dark_stripes());
 }
 
+/// Adds a part of the picture `whole` in strips that take some milliseconds each, unless it waits already.
+void add_strips(std::deque<TileRect>& left, const TileRect& rect, const TileRect& whole, std::size_t bands) {
+    constexpr std::size_t numbers_at_once = std::size_t{1} << 18U;
+    std::size_t waiting = 0;
+    for (const TileRect& strip : left) waiting += strip.pixel_count();
+    const bool is_late = waiting > 2 * whole.pixel_count();  // then the whole picture is less work
+    if (is_late) left.clear();
+    const TileRect& part = is_late ? whole : rect;
+    const std::size_t numbers_a_row = static_cast<std::size_t>(part.width()) * bands;
+    const int rows =
+        static_cast<int>(std::max<std::size_t>(1, numbers_at_once / std::max<std::size_t>(1, numbers_a_row)));
+    for (int y = part.y0; y < part.y1; y += rows) {
+        const TileRect strip{part.x0, y, part.x1, std::min(y + rows, part.y1)};
+        if (std::find(left.begin(), left.end(), strip) == left.end()) left.push_back(strip);
+    }
+}
+
 }  // namespace
 
 struct PictureRenderer::Gpu {
@@ -212,7 +231,10 @@ struct PictureRenderer::Gpu {
     FloatTexture scale;
     FloatTexture difference;
 
-    // What the textures hold.
+    std::deque<TileRect> light_left;  ///< not yet written into `stokes` and `left_out`
+    std::deque<TileRect> color_left;
+
+    // What the textures hold, or will when nothing is left.
     std::optional<std::uint64_t> layout;  ///< none: no picture
     std::uint64_t picture_version = 0;
     std::size_t wavelength = 0;
@@ -237,11 +259,11 @@ Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create(PictureSide sid
     return std::unique_ptr<PictureRenderer>(new PictureRenderer(std::move(gpu)));
 }
 
-void PictureRenderer::upload(const Session& session) {
+bool PictureRenderer::upload(const Session& session, double seconds) {
     const auto side = session.side(gpu_->side);
     if (!side || side->document->picture().pixel_count() == 0) {
         gpu_->layout.reset();
-        return;
+        return false;
     }
     const Document* document = side->document;
     const StokesImage& picture = document->picture();
@@ -255,32 +277,51 @@ void PictureRenderer::upload(const Session& session) {
         gpu_->stokes.resize(picture.width, picture.height);
         gpu_->left_out.resize(picture.width, picture.height);
         for (FloatTexture& channel : gpu_->color) channel.resize(picture.width, picture.height);
+        gpu_->light_left.clear();
+        gpu_->color_left.clear();
     }
     gpu_->layout = document->picture_layout();
     gpu_->picture_version = document->picture_version();
     gpu_->wavelength = side->band;
     gpu_->polarimeter = session.polarimeter();
     gpu_->convention = session.view().convention;
+    if (is_other_light) {
+        gpu_->light_left.clear();
+        add_strips(gpu_->light_left, everything, everything, 1);
+    }
+    for (const TileRect& rect : changes) {
+        if (!is_other_light) add_strips(gpu_->light_left, rect, everything, 1);
+        add_strips(gpu_->color_left, rect, everything, picture.bands.size());
+    }
 
     const ShownPicture shown = shown_on(*side, session);
+    const std::vector<Rgb> weights = band_colors(picture.bands);
     const auto write_light = [&](const TileRect& rect) {
         const LightFloats floats = light_floats(shown, gpu_->wavelength, rect);
         gpu_->stokes.write(rect, floats.stokes);
         gpu_->left_out.write(rect, floats.left_out);
     };
-    const std::vector<Rgb> weights = band_colors(picture.bands);
     const auto write_color = [&](const TileRect& rect) {
         const ColorFloats floats = color_floats(picture, weights, rect);
         for (std::size_t c = 0; c < floats.size(); ++c) gpu_->color[c].write(rect, floats[c]);
     };
-    if (is_other_light) {
-        write_light(everything);
-    } else {
-        for (const TileRect& rect : changes) write_light(rect);
-    }
-    for (const TileRect& rect : changes) write_color(rect);
-    if (is_other_light || !changes.empty()) gpu_->drawn.reset();
+    const auto begin = std::chrono::steady_clock::now();
+    bool is_time_over = false;  // one strip is always written
+    const auto write = [&](std::deque<TileRect>& left, const auto& write_one) {
+        while (!left.empty() && !is_time_over) {
+            write_one(left.front());
+            left.pop_front();
+            gpu_->drawn.reset();
+            is_time_over = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() >= seconds;
+        }
+    };
+    // What is on screen comes first.
+    const bool is_color = session.view().quantity == Quantity::color;
+    if (is_color) write(gpu_->color_left, write_color);
+    write(gpu_->light_left, write_light);
+    if (!is_color) write(gpu_->color_left, write_color);
     upload_difference(session, *side);
+    return !gpu_->light_left.empty() || !gpu_->color_left.empty();
 }
 
 void PictureRenderer::upload_difference(const Session& session, const ShownSide& side) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "core/result.h"
@@ -21,8 +22,9 @@ public:
     PictureRenderer(const PictureRenderer&) = delete;
     PictureRenderer& operator=(const PictureRenderer&) = delete;
 
-    /// Takes over what changed in the session's picture since the last call.
-    void upload(const Session& session);
+    /// Takes over what changed in the session's picture since the last call, for about `seconds`: a new picture of a
+    /// hundred million numbers would stop the window. True if something is left for the next call.
+    bool upload(const Session& session, double seconds = std::numeric_limits<double>::infinity());
 
     /// Draws the session's map into a texture of `width` x `height` device pixels, which shows the viewport of
     /// `width / pixel_ratio` logical points. The texture's first row is the lowest of the view. Returns the name of the
