@@ -85,6 +85,10 @@ Result<Stokes> Picture::stokes(int x, int y, int wavelength) const {
 Result<Coherence> Picture::coherence(int x, int y, int wavelength) const {
     const auto light = stokes(x, y, wavelength);
     if (!light) return light.error();
+    for (int component = 0; component < 4; ++component)
+        if (!is_measured(component, wavelength))
+            return usage("wavelength", "S" + std::to_string(component) + " was not measured there",
+                         "a coherence matrix needs all four Stokes components");
     return polariscope::coherence(light.value());
 }
 

@@ -41,6 +41,7 @@ public:
 
     /// Of one pixel. Error (usage): there is no such pixel or wavelength.
     [[nodiscard]] Result<Stokes> stokes(int x, int y, int wavelength = 0) const;
+    /// Error (usage), too: a component was not measured.
     [[nodiscard]] Result<Coherence> coherence(int x, int y, int wavelength = 0) const;
     /// Most S0 that may have been left out there, and most that may be there too much, as in RayLight. 0 where the
     /// picture does not say.

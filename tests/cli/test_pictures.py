@@ -8,7 +8,7 @@ import re
 import shutil
 import unittest
 
-from program import REPOSITORY, ProgramTest, main
+from program import REPOSITORY, SCENES, ProgramTest, main
 
 PICTURES = REPOSITORY / "tests" / "data" / "pictures"
 CASES = PICTURES / "cases"
@@ -81,6 +81,12 @@ class StokesChannels(Pictures):
                     "x.png")
         self.refuse(2, ["'R'", "580 nm"], "maps", CASES / "plain.exr", "--map", "dop", "--band", "R", "-o", "x.png")
 
+
+    def test_what_was_not_measured_is_no_reference_of_convergence(self):
+        done = self.run_program("converge", SCENES / "crossed-polarizers.yaml", "-o", "runs", "--size", "16x12",
+                                "--wavelengths", "580", "--reference", CASES / "s0only.exr")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("does not have all Stokes components at 580 nm", done.stderr)
 
     def test_a_bound_of_a_picture_that_has_none_is_not_drawn_without_a_word(self):
         for name in ("residual", "dop_error", "ellipticity_error", "azimuth_error"):

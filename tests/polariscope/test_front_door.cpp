@@ -328,6 +328,7 @@ TEST(FrontDoor, ReadsAPictureOfAPolarizationCamera) {
     // S1/S0 and S2/S0 of the pixel (0, 0), by hand from the file: 0.281908, 0.102606.
     EXPECT_NEAR(ps::evaluate(camera, "dolp").value().values[0], std::hypot(0.281908, 0.102606), 1e-6);
     EXPECT_EQ(ps::evaluate(camera, "dop").value().states[0], ps::PixelState::not_measured);
+    expect_error(camera.coherence(0, 0), ps::ErrorKind::usage, "wavelength");
 }
 
 TEST(FrontDoor, ReadsThePictureThatItWrote) {

@@ -198,6 +198,10 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
         !std::equal(s.wavelengths_nm.begin(), s.wavelengths_nm.end(), there.begin(), there.end(), same_nm))
         return refuse("the reference has another size or other wavelengths than the runs",
                       "give --size and --wavelengths of the reference");
+    for (const Band& band : reference_.bands)
+        if (band.known != StokesComponents::all())
+            return refuse(fmt::format("the reference does not have all Stokes components at {}", band.label()),
+                          "give a picture with S0 to S3");
     if (reference_.left != 0 || reference_.top != 0)
         return refuse(fmt::format("the reference is a part of a picture, from its pixel {},{} on", reference_.left,
                                   reference_.top),
