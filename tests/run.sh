@@ -52,7 +52,6 @@ step() {
 build() {
     local options=(-DPOL_TESTS=ON)
     [ "$1" != release ] || options+=(-DCMAKE_INSTALL_PREFIX=/usr) # where the packages of this build go
-    [ "$1" != fuzz ] || options=()
     if configure "$1" "${options[@]}"; then
         cmake --build "$build/$1" -j "$jobs" --target "${@:2}" -- --quiet && return 0
     else
@@ -85,12 +84,14 @@ run_tests() {
     return $status
 }
 
-# Only what the build compiles: clang-tidy would guess the flags of other files. Clang does not know all of GCC's warnings.
+# Only what the build compiles, and as it does, the sources of a room together: clang-tidy would guess the flags of other
+# files, and most of its time goes into what they include. Clang does not know all of GCC's warnings.
 # Every version has checks of its own.
 tidy() {
     command -v clang-tidy-14 >/dev/null || { say "clang-tidy 14 is not installed: skipped" && return; }
     local database=$build/release/compile_commands.json
-    grep -o '"file": "[^"]*"' "$database" | cut -d '"' -f 4 | grep -F -e "$root/engine/" -e "$root/viewer/" | sort -u |
+    grep -o '"file": "[^"]*"' "$database" | cut -d '"' -f 4 | grep -E -e "^$root/(engine|viewer)/" \
+        -e "^$build/release/(engine|viewer)/.*/Unity/" | sort -u |
         xargs -r -d '\n' -P "$jobs" -n 1 \
         clang-tidy-14 --quiet --extra-arg-before=-Wno-unknown-warning-option -p "$build/release" 2>/dev/null || {
         failed=$((failed + 1))
@@ -155,7 +156,7 @@ for name in "${steps[@]}"; do
             step "test tsan" run_tests tsan 600 --label-regex threads
         ;;
     fuzz)
-        step "build fuzz" build fuzz polariscope_fuzz && step "fuzz" fuzz
+        step "build fuzz" build asan polariscope_fuzz && step "fuzz" fuzz
         ;;
     esac
 done

@@ -7,7 +7,7 @@ namespace pol {
 
 namespace {
 
-constexpr std::string_view before = R"bash(# bash completion of polariscope. Written by: polariscope manual bash
+constexpr std::string_view script_before = R"bash(# bash completion of polariscope. Written by: polariscope manual bash
 
 # Offers the WORD... that go on with what is typed.
 _polariscope_words() {
@@ -120,9 +120,9 @@ std::string bash_completion(const CommandEntry& program) {
         options += option_cases(command);
         arguments += argument_case(command);
     });
-    return std::string(before) + "        " + paths + ") command+=\" ${COMP_WORDS[i]}\" ;;\n        esac\n    done\n" +
-           "    case \"$command $option\" in\n" + options + "    esac\n    case $command in\n" + arguments +
-           "    esac\n" + std::string(after);
+    return std::string(script_before) + "        " + paths +
+           ") command+=\" ${COMP_WORDS[i]}\" ;;\n        esac\n    done\n" + "    case \"$command $option\" in\n" +
+           options + "    esac\n    case $command in\n" + arguments + "    esac\n" + std::string(after);
 }
 
 }  // namespace pol

@@ -12,6 +12,7 @@
 #include "cli/messages.h"
 #include "cli/output_checks.h"
 #include "core/result.h"
+#include "core/version.h"
 #include "io/files/assets.h"
 #include "io/files/output_file.h"
 #include "io/scenes/scene_file.h"
@@ -154,7 +155,7 @@ Result<Chapter> check_convergence(const AllRequest& request, const std::string& 
     work.scene_name = name;
     work.folder = fs::path(request.folder) / name;
     work.threads = hardware_threads();
-    work.tool_version = POL_VERSION;
+    work.tool_version = program_version();
     POL_TRY_DONE(make_folder(work.folder));
     const auto result = verify::converge(work, [](const verify::ConvergenceProgress&) { return true; });
     if (!result) return result.error();
@@ -199,7 +200,8 @@ int run(const AllRequest& request) {
     const bool good = std::all_of(chapters.begin(), chapters.end(), [](const Chapter& c) { return c.good; });
     std::string body = fmt::format(
         "<p><code>polariscope check all -o {}</code></p>\n<p>polariscope {}, {} threads of {}, {}.</p>\n<ul>\n",
-        xml_text(request.folder), POL_VERSION, hardware_threads(), xml_text(verify::cpu_name()), verify::utc_now());
+        xml_text(request.folder), program_version(), hardware_threads(), xml_text(verify::cpu_name()),
+        verify::utc_now());
     for (std::size_t i = 0; i < chapters.size(); ++i)
         body += fmt::format("<li><a href=\"#chapter{}\">{}</a>: <span class=\"{}\">{}</span></li>\n", i,
                             xml_text(chapters[i].title), chapters[i].good ? "good" : "bad", chapters[i].verdict);

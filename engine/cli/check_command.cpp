@@ -31,8 +31,6 @@ using verify::Invariant;
 using verify::InvariantResult;
 using verify::Outcome;
 
-constexpr int self_check_failed = 5;
-
 struct FileRequest {
     PictureOptions picture;
     std::string file;  ///< the first of them, or that of S0

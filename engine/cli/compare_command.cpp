@@ -27,8 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int pictures_differ = 5;
-
 struct CompareRequest {
     std::vector<std::string> files;  ///< A, then B; with a scene B alone will do
     std::string scene;
@@ -39,10 +37,6 @@ struct CompareRequest {
     PictureOptions a;
     PictureOptions b;
 };
-
-Error usage_error(std::string what, std::string hint) {
-    return Error{ErrorKind::usage, std::move(what), {}, {}, std::move(hint)};
-}
 
 /// Pixels of `picture` along a side of the boxes that ours is rendered for: the fewest with which it is at most 64 x
 /// 64; 1 where no such boxes fit, or if it is a part of a picture.
@@ -103,16 +97,16 @@ std::optional<Error> share_files(CompareRequest& request) {
     std::vector<std::string>& files = request.files;
     const bool a_is_rendered = !request.scene.empty() && (request.b.stokes.empty() ? files.size() < 2 : files.empty());
     if (!a_is_rendered && request.a.stokes.empty()) {
-        if (files.empty()) return usage_error("there are no pictures to compare", "name two, or one and --scene");
+        if (files.empty()) return usage_error("", "there are no pictures to compare", "name two, or one and --scene");
         request.a.files = {files.front()};
         files.erase(files.begin());
     }
     if (files.size() > 1 && request.b.angles.empty())
-        return usage_error(fmt::format("{} pictures are named, but two are compared", files.size() + 1),
+        return usage_error("", fmt::format("{} pictures are named, but two are compared", files.size() + 1),
                            "leave some out; --angles takes several files for B");
     request.b.files = std::move(files);
     if (request.b.files.empty() && request.b.stokes.empty())
-        return usage_error("there is one picture only",
+        return usage_error("", "there is one picture only",
                            "name another one, or the scene that it shows: --scene NAME.yaml");
     return std::nullopt;
 }
@@ -128,7 +122,7 @@ std::optional<Error> wrong_options(const CompareRequest& request) {
                      "name the scene that the pictures show; pictures stand without an option"};
     for (const std::string& file : request.files)
         if (fs::path(file).extension() == ".yaml")
-            return usage_error(fmt::format("'{}' is a scene, not a picture", file),
+            return usage_error("", fmt::format("'{}' is a scene, not a picture", file),
                                fmt::format("to render ours from it: --scene {}", file));
     return std::nullopt;
 }
@@ -178,7 +172,7 @@ int run(CompareRequest& request) {
         }
     }
     fmt::print("{}", request.json ? comparison_json(found) : comparison_text(found));
-    return found.is_same() || found.is_within_tolerance() ? 0 : pictures_differ;
+    return found.is_same() || found.is_within_tolerance() ? 0 : self_check_failed;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "core/result.h"
+#include "core/version.h"
 #include "io/files/output_file.h"
 #include "render/renderer.h"
 #include "report/html_page.h"
@@ -122,7 +123,7 @@ std::optional<Error> unusable(const ConvergeRequest& request) {
     return std::nullopt;
 }
 
-int run(const ConvergeRequest& request) {
+int run_converge(const ConvergeRequest& request) {
     if (const auto problem = unusable(request)) return report(*problem);
     const auto loading = std::chrono::steady_clock::now();
     auto scene = load_scene_with(request.scene);
@@ -137,7 +138,7 @@ int run(const ConvergeRequest& request) {
     if (!request.reference.empty()) work.reference = request.reference;
     work.threads = request.threads.value_or(hardware_threads());
     work.seeds = request.seeds;
-    work.tool_version = POL_VERSION;
+    work.tool_version = program_version();
 
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
@@ -165,7 +166,6 @@ int run(const ConvergeRequest& request) {
             fmt::format("polariscope: {}: {}\n  hint: another scene, camera, frame or unit of radiance? "
                         "polariscope check names what cannot be light\n",
                         printable(request.reference), verify::text_about_reference(result.value())));
-    constexpr int self_check_failed = 5;
     return verify::bounds_hold(result.value()) ? 0 : self_check_failed;
 }
 
@@ -201,7 +201,7 @@ void add_converge_command(ProgramCommand app, int& exit_code) {
         "\nExamples:\n"
         "  polariscope converge assets/scenes/paper-glass-unpolarized.yaml -o glass\n"
         "  polariscope converge assets/scenes/paper-glass-unpolarized.yaml -o aa --mode area --wavelengths 380:780:20");
-    command.callback([request, &exit_code] { exit_code = run(*request); });
+    command.callback([request, &exit_code] { exit_code = run_converge(*request); });
 }
 
 }  // namespace pol

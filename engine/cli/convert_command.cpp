@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Request {
+struct ConvertRequest {
     PictureOptions input;
     std::string output;
     std::size_t form = 0;  ///< in picture_forms()
@@ -29,11 +29,11 @@ struct Request {
     ConventionOptions convention;
 };
 
-void say(const Request& request, const std::string& sentence) {
+void say(const ConvertRequest& request, const std::string& sentence) {
     remark(fmt::format("{}: {}\n", printable(request.output), printable(sentence)));
 }
 
-Result<Done> run(const Request& request) {
+Result<Done> run_convert(const ConvertRequest& request) {
     const PictureFormInfo& form = picture_forms()[request.form];
     const auto usage_error = [](std::string field, std::string what, std::string hint) {
         return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
@@ -57,7 +57,7 @@ Result<Done> run(const Request& request) {
     return Done{};
 }
 
-std::string footer() {
+std::string convert_footer() {
     std::string text = "Forms:\n";
     for (const PictureFormInfo& form : picture_forms()) text += fmt::format("  {:<18} {}\n", form.name, form.about);
     text += "\n" + picture_layouts_text();
@@ -77,7 +77,7 @@ std::string footer() {
 }  // namespace
 
 void add_convert_command(ProgramCommand app, int& exit_code) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<ConvertRequest>();
     ProgramCommand command = app.add_subcommand("convert", "Write a Stokes picture in the form of another program");
     command.add_option("IN", request->input.files, "Stokes picture of any program; several with --angles")
         .type_name(picture_names);
@@ -93,9 +93,9 @@ void add_convert_command(ProgramCommand app, int& exit_code) {
     command.add_flag("--half", request->half, "mitsuba: 16-bit floats");
     add_convention_options(command, request->convention, {}, "What is written");
     add_picture_options(command, request->input);
-    command.footer(footer());
+    command.footer(convert_footer());
     command.callback([request, &exit_code] {
-        const Result<Done> done = run(*request);
+        const Result<Done> done = run_convert(*request);
         exit_code = done ? 0 : report(done.error());
     });
 }

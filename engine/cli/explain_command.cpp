@@ -35,8 +35,6 @@ struct ExplainRequest {
     std::string obj;
 };
 
-constexpr int self_check_failed = 5;
-
 /// Index of the plan's wavelength that was asked for, or of the default one.
 Result<int> wavelength_index(const Plan& plan, std::optional<double> asked_nm) {
     constexpr double same_nm = 1e-6;

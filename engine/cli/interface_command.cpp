@@ -34,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What the user typed.
-struct Request {
+struct InterfaceRequest {
     std::string from;
     std::string to;
     std::vector<double> from_axis;
@@ -43,10 +43,6 @@ struct Request {
     double wavelength_nm = 580.0;
     std::string cases;
 };
-
-Error usage_error(std::string field, std::string what, std::string hint = {}) {
-    return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
-}
 
 /// "1.5", "1.6584,1.4864" or "0.3+2.84i", with nothing beside.
 struct Numbers {
@@ -155,7 +151,7 @@ double tilt(const DVec3& v) {
     return degrees(std::atan2(pol::hypot(v.x, v.y), std::abs(v.z)));
 }
 
-void print_table(const InterfaceCase& interface, const Request& request) {
+void print_table(const InterfaceCase& interface, const InterfaceRequest& request) {
     fmt::print("from  {}\nto    {}\n", describe(interface.medium1), describe(interface.medium2));
     fmt::print("normal (0, 0, 1), plane of incidence xz, wave normal at {:g} deg, {:g} nm\n", request.angle_deg,
                request.wavelength_nm);
@@ -196,7 +192,7 @@ void print_table(const InterfaceCase& interface, const Request& request) {
     }
 }
 
-Result<Done> run_table(const Request& request) {
+Result<Done> run_table(const InterfaceRequest& request) {
     if (request.from.empty() || request.to.empty()) {
         return usage_error("interface", "needs --from and --to, or --cases",
                            "polariscope interface --from air --to 1.5 --angle 30");
@@ -278,7 +274,7 @@ constexpr const char* footer =
 }  // namespace
 
 void add_interface_command(ProgramCommand app, int& exit_code) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<InterfaceRequest>();
     ProgramCommand command = app.add_subcommand("interface", "What one interface does to light");
     command.add_option("--from", request->from, "medium that the light comes from").type_name("MEDIUM");
     command.add_option("--to", request->to, "medium behind the interface").type_name("MEDIUM");

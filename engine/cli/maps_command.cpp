@@ -34,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What the user typed.
-struct Request {
+struct MapsRequest {
     PictureOptions input;
     std::string map;
     std::string output;
@@ -53,10 +53,6 @@ struct Request {
     }
 };
 
-Error usage_error(std::string field, std::string what, std::string hint = {}) {
-    return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
-}
-
 Result<std::vector<Quantity>> wanted_quantities(const std::string& name) {
     std::vector<Quantity> wanted;
     if (name == "all") {
@@ -70,7 +66,7 @@ Result<std::vector<Quantity>> wanted_quantities(const std::string& name) {
                        fmt::format("did you mean {}? Maps: {}all", info(nearest_quantity(name)).name, names));
 }
 
-Result<MapOptions> wanted_options(const Request& request) {
+Result<MapOptions> wanted_options(const MapsRequest& request) {
     const std::map<std::string_view, MapStyle> styles{
         {"scientific", MapStyle::scientific}, {"paper", MapStyle::paper}, {"wilkie", MapStyle::wilkie}};
     const auto style = styles.find(request.style);
@@ -116,7 +112,7 @@ Result<std::size_t> wanted_wavelength(const StokesImage& image, std::optional<do
 }
 
 /// Index of the band that the user asks for; none: of the default wavelength, of G, or the first.
-Result<std::size_t> wanted_band(const StokesImage& image, const Request& request) {
+Result<std::size_t> wanted_band(const StokesImage& image, const MapsRequest& request) {
     if (!request.band.empty()) {
         const auto found = std::find_if(image.bands.begin(), image.bands.end(), [&](const Band& band) {
             return band.label() == request.band || band.label() == request.band + " nm";
@@ -137,7 +133,7 @@ std::string caption_of(const StokesImage& image, const fs::path& input) {
 }
 
 Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t band, const MapOptions& options,
-                       const Request& request, const fs::path& output) {
+                       const MapsRequest& request, const fs::path& output) {
     POL_TRY(const auto map, draw_map(image, quantity, band, options));
     const auto warn_of = [&](PixelState state, std::string_view what) {
         const std::size_t bad = map.state_count[static_cast<std::size_t>(state)];
@@ -167,7 +163,7 @@ Result<Done> make_folder(const fs::path& folder, const char* why) {
 }
 
 /// The four standard pictures, NAME_dop.png and so on, as polvis calls them.
-Result<Done> write_wilkie_pictures(const StokesImage& image, const Request& request) {
+Result<Done> write_wilkie_pictures(const StokesImage& image, const MapsRequest& request) {
     std::optional<std::size_t> band;
     if (!request.band.empty() || !wavelengths_of(image.bands).empty()) {
         POL_TRY(const auto found, wanted_band(image, request));
@@ -192,7 +188,7 @@ Result<Done> write_wilkie_pictures(const StokesImage& image, const Request& requ
     return Done{};
 }
 
-Result<Done> run(const Request& request) {
+Result<Done> run_maps(const MapsRequest& request) {
     POL_TRY(const auto options, wanted_options(request));
     const bool is_standard = request.map.empty() && options.style == MapStyle::wilkie;
     if (request.map.empty() && !is_standard)
@@ -222,7 +218,7 @@ Result<Done> run(const Request& request) {
     return Done{};
 }
 
-std::string footer() {
+std::string maps_footer() {
     std::string text = "Maps:\n";
     for (const QuantityInfo& about : quantities()) text += fmt::format("  {:<18} {}\n", about.name, about.definition);
     text +=
@@ -251,7 +247,7 @@ std::string footer() {
 }  // namespace
 
 void add_maps_command(ProgramCommand app, int& exit_code) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<MapsRequest>();
     ProgramCommand command = app.add_subcommand("maps", "Draw a map of a Stokes picture as PNG");
     command.add_option("IN", request->input.files, "Stokes picture of any program, see Layouts below")
         .type_name(picture_names);
@@ -271,9 +267,9 @@ void add_maps_command(ProgramCommand app, int& exit_code) {
     command.add_flag("--fade-by-bar", request->fade_by_bar,
                      "fade as the error bar widens, to gray where it covers half of the range; not on gray scales");
     command.add_flag("--plain", request->plain, "the pixels of the map alone, without bar and legend");
-    command.footer(footer());
+    command.footer(maps_footer());
     command.callback([request, &exit_code] {
-        const Result<Done> done = run(*request);
+        const Result<Done> done = run_maps(*request);
         exit_code = done ? 0 : report(done.error());
     });
 }

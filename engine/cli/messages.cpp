@@ -29,6 +29,10 @@ std::size_t character_length(std::string_view text) {
 
 }  // namespace
 
+Error usage_error(std::string option, std::string what, std::string hint) {
+    return Error{ErrorKind::usage, std::move(what), {}, std::move(option), std::move(hint)};
+}
+
 std::string printable(std::string_view text) {
     std::string out;
     while (!text.empty()) {

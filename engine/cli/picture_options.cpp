@@ -13,13 +13,11 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/messages.h"
+
 namespace pol {
 
 namespace {
-
-Error usage_error(std::string field, std::string what, std::string hint) {
-    return Error{ErrorKind::usage, std::move(what), {}, std::move(field), std::move(hint)};
-}
 
 /// Where the next "s0=" to "s3=" (or "S0=") begins that stands first or behind a comma: file names may have commas.
 std::size_t next_component(std::string_view text, std::size_t from) {

@@ -29,13 +29,14 @@
 #include "cli/send_command.h"
 #include "core/nearest_word.h"
 #include "core/result.h"
+#include "core/version.h"
 
 namespace pol {
 
 namespace {
 
 /// What CLI11 has to complain about, with the nearest command or option for a word that is neither.
-Error usage_error(const CLI::App& app, const CLI::Error& complaint) {
+Error usage_error_of(const CLI::App& app, const CLI::Error& complaint) {
     const CLI::App* chosen = &app;
     std::string names = "polariscope ";
     while (!chosen->get_subcommands().empty()) {
@@ -67,7 +68,7 @@ Error usage_error(const CLI::App& app, const CLI::Error& complaint) {
 int run(int argc, char** argv, std::span<const AddCommand> more) {
     CLI::App app{"polariscope: trace polarized light backward through glass, metal and crystals, and look at it"};
     app.name("polariscope");
-    app.set_version_flag("--version", POL_VERSION);
+    app.set_version_flag("--version", program_version());
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 done; 1 defect of this program, or a fact that fails; 2 usage; 3 scene or asset; 4 output;\n"
@@ -96,7 +97,7 @@ int run(int argc, char** argv, std::span<const AddCommand> more) {
     } catch (const CLI::Success& request_for_help) {
         exit_code = app.exit(request_for_help);
     } catch (const CLI::ParseError& complaint) {
-        return report(usage_error(app, complaint));
+        return report(usage_error_of(app, complaint));
     }
     return exit_code;
 }

@@ -12,6 +12,7 @@
 
 #include "cli/messages.h"
 #include "core/overloaded.h"
+#include "core/version.h"
 #include "io/files/output_file.h"
 #include "report/number_words.h"
 #include "scene/setting_table.h"
@@ -121,7 +122,7 @@ Result<Done> write_statistics(const RenderRequest& request, const Plan& plan, co
     const RenderStatistics& s = outcome.progress.statistics;
     Json out;
     out["tool"] = "polariscope";
-    out["tool_version"] = POL_VERSION;
+    out["tool_version"] = program_version();
     out["kernel_features"] = plan.features.kernel;
     out["precision"] = "f64";
     out["threads"] = threads;
@@ -219,7 +220,6 @@ std::string shortfall(const RenderRequest& request, const RenderOutcome& outcome
 }  // namespace
 
 int conclude(const RenderRequest& request, const RenderOutcome& outcome, const StokesImage& image) {
-    constexpr int self_check_failed = 5;
     constexpr int less_than_asked_for = 10;
     if (!request.quiet) print_picture(request, outcome, image);
     const std::string complaint = shortfall(request, outcome);

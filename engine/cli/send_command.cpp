@@ -14,13 +14,13 @@
 namespace pol {
 namespace {
 
-struct Request {
+struct SendRequest {
     PictureOptions input;
     std::string to;
     std::string name;
 };
 
-Result<Done> run(const Request& request) {
+Result<Done> run_send(const SendRequest& request) {
     POL_TRY(const auto address, read_live_address(request.to));
     POL_TRY(const auto source, request.input.source());
     POL_TRY(const auto picture, request.input.read());
@@ -33,7 +33,7 @@ Result<Done> run(const Request& request) {
 }  // namespace
 
 void add_send_command(ProgramCommand app, int& exit_code) {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<SendRequest>();
     ProgramCommand command =
         app.add_subcommand("send", "Show a Stokes picture in a viewer that runs: tev, or another window");
     command.add_option("IN", request->input.files, "Stokes picture, of any layout that is read")
@@ -48,7 +48,7 @@ void add_send_command(ProgramCommand app, int& exit_code) {
         "  polariscope send stone.exr\n"
         "  polariscope send stone.exr --to 127.0.0.1:14159\n");
     command.callback([request, &exit_code] {
-        const Result<Done> done = run(*request);
+        const Result<Done> done = run_send(*request);
         exit_code = done ? 0 : report(done.error());
     });
 }

@@ -28,7 +28,7 @@ _polariscope_files() {
 )zsh";
 
 /// `text` inside single quotes, for _arguments, where brackets and colons mean something.
-std::string quoted(std::string_view text) {
+std::string zsh_quoted(std::string_view text) {
     std::string out;
     for (const char c : text) {
         if (c == '[' || c == ']' || c == ':' || c == '\\') out += '\\';
@@ -64,7 +64,7 @@ std::string arguments_of(const CommandEntry& command) {
     std::string out = " \\\n        -s -S";
     for (const OptionEntry& option : command.options) {
         const std::string value =
-            option.type.empty() ? std::string() : ':' + quoted(option.type) + ':' + action_of(option.values);
+            option.type.empty() ? std::string() : ':' + zsh_quoted(option.type) + ':' + action_of(option.values);
         if (option.is_argument) {
             out += " \\\n        '";
             if (option.repeated) out += '*';
@@ -80,7 +80,7 @@ std::string arguments_of(const CommandEntry& command) {
             out += option.repeated ? "*" : others + ")";
             out += name;
             if (!value.empty()) out += is_long ? "=" : "+";
-            out += '[' + quoted(option.description) + ']';
+            out += '[' + zsh_quoted(option.description) + ']';
             out += value + '\'';
         }
     }
@@ -98,7 +98,7 @@ void add_functions(const CommandEntry& command, std::string& out) {
     std::string chosen;
     for (const CommandEntry& one : command.commands) {
         const std::string name = one.name.substr(one.name.rfind(' ') + 1);
-        out += "        '" + name + ":" + quoted(one.description) + "'\n";
+        out += "        '" + name + ":" + zsh_quoted(one.description) + "'\n";
         chosen += "    " + name + ") shift words; ((CURRENT -= 1)); " + function_of(one) + "; return ;;\n";
     }
     out +=

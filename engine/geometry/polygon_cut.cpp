@@ -33,7 +33,7 @@ Error broken(std::string what) {
     return complaint("", std::move(what), "cut it into simple faces or triangles in a modeling program");
 }
 
-std::string text(const DVec3& p) {
+std::string corner_text(const DVec3& p) {
     char buffer[96];
     std::snprintf(buffer, sizeof buffer, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
     return buffer;
@@ -164,7 +164,7 @@ std::optional<Error> self_contact(std::span<const DVec2> outline, std::span<cons
         const DVec2& b = outline[(i + 1) % count];
         const DVec2& c = outline[(i + 2) % count];
         if (turn(outline[i], b, c) == 0 && dot(b - outline[i], c - b) < 0.0)
-            return broken("runs back along its own side near " + text(corners[(i + 1) % count]));
+            return broken("runs back along its own side near " + corner_text(corners[(i + 1) % count]));
     }
     for (std::size_t i = 0; i < count; ++i) {
         const DVec2& a = outline[i];
@@ -172,7 +172,7 @@ std::optional<Error> self_contact(std::span<const DVec2> outline, std::span<cons
         for (std::size_t j = i + 2; j < count && (j + 1) % count != i; ++j) {
             const Contact found = contact(a, b, outline[j], outline[(j + 1) % count]);
             if (found == Contact::none) continue;
-            const std::string place = text(corners[turn(a, b, outline[j]) == 0 ? j : (j + 1) % count]);
+            const std::string place = corner_text(corners[turn(a, b, outline[j]) == 0 ? j : (j + 1) % count]);
             if (found == Contact::cross) return broken("crosses itself near " + place);
             return broken("touches itself near " + place + ", as the outline of a face with a hole does");
         }
@@ -212,7 +212,7 @@ Result<std::vector<Triangle>> cut_polygon(std::span<const DVec3> given) {
         char bend[32];
         std::snprintf(bend, sizeof bend, "%.3g", 0.5 * (high - low));
         return broken("is not flat: its corners lie up to " + std::string(bend) + " off any plane, near " +
-                      text(corners[0]));
+                      corner_text(corners[0]));
     }
 
     // Without the coordinate that the normal is longest in: the others keep their bits.
@@ -228,7 +228,7 @@ Result<std::vector<Triangle>> cut_polygon(std::span<const DVec3> given) {
     std::vector<Triangle> triangles = EarClipper(outline).cut();
     // Too little where rounding hid every ear.
     if (!(std::abs(area2(outline, triangles) - std::abs(area)) <= 1e-9 * std::abs(area)))
-        return broken("cannot be cut into triangles near " + text(corners[0]));
+        return broken("cannot be cut into triangles near " + corner_text(corners[0]));
     for (Triangle& t : triangles) {
         for (std::uint32_t& v : t) v = kept[v];
     }

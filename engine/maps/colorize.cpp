@@ -11,7 +11,7 @@
 namespace pol {
 namespace {
 
-constexpr Rgb8 black{0, 0, 0};
+constexpr Rgb8 black_pixel{0, 0, 0};
 constexpr Rgb8 middle_gray{96, 96, 96};
 constexpr Rgb8 hatch_light{150, 150, 150};
 constexpr Rgb8 hatch_dark{64, 64, 64};
@@ -84,9 +84,9 @@ double developed(double light, const MapOptions& options) {
 Rgb8 state_color(PixelState state, int x, int y, bool black_is_none) {
     switch (state) {
         case PixelState::no_light:
-            return black;
+            return black_pixel;
         case PixelState::undefined:
-            return black_is_none ? black : middle_gray;
+            return black_is_none ? black_pixel : middle_gray;
         case PixelState::undetermined:
             return (x + y) / 2 % 4 < 2 ? hatch_light : hatch_dark;
         case PixelState::not_a_number:

@@ -3,6 +3,8 @@
 // the handedness and the time sign.
 #pragma once
 
+#include <array>
+
 namespace pol {
 
 /// Stokes vector in a right-handed frame (x, y, k) about the direction of the light, spectral radiance units.
@@ -30,5 +32,9 @@ struct Stokes {
     }
     friend constexpr bool operator==(const Stokes& a, const Stokes& b) = default;
 };
+
+/// S0, S1, S2, S3 in this order.
+inline constexpr std::array<double Stokes<double>::*, 4> stokes_components{&Stokes<double>::s0, &Stokes<double>::s1,
+                                                                           &Stokes<double>::s2, &Stokes<double>::s3};
 
 }  // namespace pol

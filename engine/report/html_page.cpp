@@ -12,7 +12,7 @@ namespace pol {
 
 namespace {
 
-constexpr const char* style = R"(
+constexpr const char* page_style = R"(
 body{font-family:sans-serif;margin:2em auto;max-width:1360px;padding:0 1em;line-height:1.45}
 table{border-collapse:collapse}th,td{padding:.25em .6em;text-align:left;border-bottom:1px solid #8884}
 td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
@@ -41,8 +41,8 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 std::string html_page(const std::string& title, const std::string& body) {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"color-scheme\" "
            "content=\"light dark\">\n<meta name=\"viewport\" content=\"width=device-width\"><title>" +
-           xml_text(title) + "</title>\n<style>" + style + "</style></head><body>\n<h1>" + xml_text(title) + "</h1>\n" +
-           body + "</body></html>\n";
+           xml_text(title) + "</title>\n<style>" + page_style + "</style></head><body>\n<h1>" + xml_text(title) +
+           "</h1>\n" + body + "</body></html>\n";
 }
 
 std::string html_image(const RgbPicture& picture, const std::string& alt) {

@@ -21,7 +21,7 @@ constexpr double top_margin = 84.0;
 constexpr double bottom_margin = 56.0;
 
 /// Okabe and Ito's palette, safe for every color vision, and lighter twins for dark pages.
-constexpr std::string_view style = R"(<style>
+constexpr std::string_view plot_style = R"(<style>
 .plot-paper{fill:#fff}.plot-text{fill:#222;font-family:sans-serif}.plot-soft{fill:#555;font-family:sans-serif}
 .plot-grid{stroke:#ddd;stroke-width:1}.plot-frame{stroke:#888;stroke-width:1;fill:none}
 .plot-s0{stroke:#0072b2;color:#0072b2}.plot-s1{stroke:#009e73;color:#009e73}.plot-s2{stroke:#d55e00;color:#d55e00}
@@ -123,9 +123,9 @@ std::string marker_at(PlotMarker marker, double x, double y, std::string_view ki
     return {};
 }
 
-class Drawing {
+class PlotDrawing {
 public:
-    explicit Drawing(const Plot& plot)
+    explicit PlotDrawing(const Plot& plot)
         : plot_(plot),
           right_(plot.width - right_margin),
           bottom_(plot.height - bottom_margin),
@@ -136,7 +136,7 @@ public:
         out_ = fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
             "role=\"img\">\n<title>{2}</title>\n{3}<rect width=\"{0}\" height=\"{1}\" class=\"plot-paper\"/>\n",
-            plot_.width, plot_.height, xml_text(plot_.title), style);
+            plot_.width, plot_.height, xml_text(plot_.title), plot_style);
         out_ += text_at(left_margin, 24.0, "plot-text", 16, "start", plot_.title);
         out_ += text_at(left_margin, 44.0, "plot-soft", 12, "start", plot_.subtitle);
         draw_axes();
@@ -254,7 +254,7 @@ private:
 }  // namespace
 
 std::string plot_svg(const Plot& plot) {
-    return Drawing(plot).text();
+    return PlotDrawing(plot).text();
 }
 
 std::string xml_text(const std::string& text) {

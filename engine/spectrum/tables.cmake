@@ -9,3 +9,4 @@ add_custom_command(OUTPUT ${pol_spectrum_tables}
         ${pol_observer_folder}/cie_1931_2deg_xyz_1nm.csv ${pol_observer_folder}/cie_d65_5nm.csv
         ${pol_observer_folder}/srgb_basis_5nm.csv
     COMMENT "Embedding the observer and illuminant tables" VERBATIM)
+set_source_files_properties(${pol_spectrum_tables} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

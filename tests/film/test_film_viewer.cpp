@@ -28,8 +28,8 @@ FilmLayout layout_of(int width, int height, int tile_size, bool random_samples =
 }
 
 /// `even` and `odd` are sums over the even and the odd ones of `samples` samples.
-TileBuffer pass_over(TileRect rect, Generation generation, std::uint32_t samples, const Stokes<double>& even,
-                     const Stokes<double>& odd, double residual = 0.0, double tail = 0.0) {
+TileBuffer uneven_pass(TileRect rect, Generation generation, std::uint32_t samples, const Stokes<double>& even,
+                       const Stokes<double>& odd, double residual = 0.0, double tail = 0.0) {
     TileBuffer pass;
     pass.generation = generation;
     pass.rect = rect;
@@ -51,7 +51,7 @@ TEST(FilmViewer, FetchesATileOnceForEachChange) {
     for (int tile = 0; tile < 2; ++tile) EXPECT_FALSE(film.tile_if_newer(tile, seen[static_cast<std::size_t>(tile)]));
 
     const Version before = film.version();
-    ASSERT_TRUE(film.merge(pass_over({4, 0, 6, 4}, 3, 1, {4.0, 1.0, 2.0, 3.0}, {}, 0.25, 0.125)));
+    ASSERT_TRUE(film.merge(uneven_pass({4, 0, 6, 4}, 3, 1, {4.0, 1.0, 2.0, 3.0}, {}, 0.25, 0.125)));
     EXPECT_GT(film.version(), before);
     EXPECT_FALSE(film.tile_if_newer(0, seen[0]));
     const auto tile = film.tile_if_newer(1, seen[1]);
@@ -69,7 +69,7 @@ TEST(FilmViewer, FetchesATileOnceForEachChange) {
     const Version idle = film.version();
     EXPECT_FALSE(film.tile_if_newer(1, seen[1]));
     EXPECT_EQ(film.version(), idle);
-    ASSERT_TRUE(film.merge(pass_over({4, 0, 6, 4}, 3, 1, {}, {2.0, 0.0, 0.0, 0.0})));
+    ASSERT_TRUE(film.merge(uneven_pass({4, 0, 6, 4}, 3, 1, {}, {2.0, 0.0, 0.0, 0.0})));
     ASSERT_TRUE(film.tile_if_newer(1, seen[1]));
     EXPECT_FALSE(film.tile_if_newer(2, seen[1]));
     EXPECT_FALSE(film.tile_if_newer(-1, seen[1]));
@@ -80,14 +80,14 @@ TEST(FilmViewer, VersionsGoOnOverGenerations) {
     Film film;
     film.reset(layout_of(4, 4, 4), 1);
     for (int pass = 0; pass < 5; ++pass)
-        ASSERT_TRUE(film.merge(pass_over({0, 0, 4, 4}, 1, 1, {1.0, 0.0, 0.0, 0.0}, {})));
+        ASSERT_TRUE(film.merge(uneven_pass({0, 0, 4, 4}, 1, 1, {1.0, 0.0, 0.0, 0.0}, {})));
     Version seen = 0;
     ASSERT_TRUE(film.tile_if_newer(0, seen));
     const Version before = film.version();
     film.reset(layout_of(4, 4, 4), 2);
     EXPECT_GT(film.version(), before);
     EXPECT_FALSE(film.tile_if_newer(0, seen));
-    ASSERT_TRUE(film.merge(pass_over({0, 0, 4, 4}, 2, 1, {1.0, 0.0, 0.0, 0.0}, {})));
+    ASSERT_TRUE(film.merge(uneven_pass({0, 0, 4, 4}, 2, 1, {1.0, 0.0, 0.0, 0.0}, {})));
     const auto tile = film.tile_if_newer(0, seen);
     ASSERT_TRUE(tile);
     EXPECT_EQ(tile->generation, 2U);
@@ -96,7 +96,7 @@ TEST(FilmViewer, VersionsGoOnOverGenerations) {
 TEST(FilmViewer, APixelSaysWhatThePictureSays) {
     Film film;
     film.reset(layout_of(6, 4, 4), 1);
-    TileBuffer pass = pass_over({4, 0, 6, 4}, 1, 3, {5.0, 1.0, 0.0, -1.0}, {2.0, 1.0, 0.5, 0.0}, 0.25, 0.5);
+    TileBuffer pass = uneven_pass({4, 0, 6, 4}, 1, 3, {5.0, 1.0, 0.0, -1.0}, {2.0, 1.0, 0.5, 0.0}, 0.25, 0.5);
     pass.stokes[5] = {7.0, 0.5, 0.25, 0.125};
     pass.failures[5] = 2;
     ASSERT_TRUE(film.merge(pass));
@@ -158,7 +158,7 @@ TEST(FilmViewer, ShowsThePreviewWhereThereAreNoSamplesAndNowhereElse) {
     EXPECT_EQ(film.pixel(5, 4)->image.at(0, 0).s0, 4.0);
     EXPECT_TRUE(film.pixel(5, 4)->preview);
 
-    ASSERT_TRUE(film.merge(pass_over({3, 0, 6, 3}, 9, 1, {7.0, 0.0, 0.0, 0.0}, {})));
+    ASSERT_TRUE(film.merge(uneven_pass({3, 0, 6, 3}, 9, 1, {7.0, 0.0, 0.0, 0.0}, {})));
     ASSERT_TRUE(film.show(strip_of(9, 4, 0, {1.0, 2.0})));
     const auto traced = film.tile_if_newer(1, seen);
     ASSERT_TRUE(traced);
@@ -175,14 +175,14 @@ TEST(FilmViewer, ShowsThePreviewWhereThereAreNoSamplesAndNowhereElse) {
 TEST(FilmViewer, TwoHalvesTellTheSamplingError) {
     Film film;
     film.reset(layout_of(2, 1, 32), 1);
-    ASSERT_TRUE(film.merge(pass_over({0, 0, 1, 1}, 1, 4, {6.0, 1.0, 0.0, 2.0}, {10.0, 0.0, 1.0, 2.0})));
+    ASSERT_TRUE(film.merge(uneven_pass({0, 0, 1, 1}, 1, 4, {6.0, 1.0, 0.0, 2.0}, {10.0, 0.0, 1.0, 2.0})));
     const StokesImage image = film.snapshot();
     EXPECT_EQ(image.sampling_error[0], (Stokes<double>{1.0, 0.25, 0.25, 0.0}));
     EXPECT_EQ(image.sampling_error[1], (Stokes<double>{infinite, infinite, infinite, infinite}));
 
     // Three samples of variance V: V/3 for the mean, V/2 + V for the difference of the halves.
     film.reset(layout_of(1, 1, 32), 2);
-    ASSERT_TRUE(film.merge(pass_over({0, 0, 1, 1}, 2, 3, {6.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0})));
+    ASSERT_TRUE(film.merge(uneven_pass({0, 0, 1, 1}, 2, 3, {6.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0})));
     EXPECT_NEAR(film.snapshot().sampling_error[0].s0, 3.0 * std::sqrt((1.0 / 3.0) / (3.0 / 2.0)), 1e-15);
 }
 
@@ -198,7 +198,7 @@ TEST(FilmViewer, ThePooledEstimateIsWithoutBias) {
     Film film;
     film.reset(layout_of(width, height, width), 1);
     for (int sample = 0; sample < 6; ++sample) {
-        TileBuffer pass = pass_over({0, 0, width, height}, 1, 1, {}, {});
+        TileBuffer pass = uneven_pass({0, 0, width, height}, 1, 1, {}, {});
         for (std::size_t p = 0; p < pass.stokes.size(); ++p) {
             pass.stokes[p].s0 = normal(bits);
             pass.odd_minus_even[p].s0 = sample % 2 == 1 ? pass.stokes[p].s0 : -pass.stokes[p].s0;
@@ -217,8 +217,8 @@ TEST(FilmViewer, ThePicturesErrorIsRelativeToItsLight) {
     for (const bool random_samples : {true, false}) {
         Film film;
         film.reset(layout_of(3, 1, 1, random_samples), 1);
-        ASSERT_TRUE(film.merge(pass_over({0, 0, 1, 1}, 1, 2, {4.0, 4.0, 0.0, 0.0}, {4.0, 4.0, 0.0, 0.0}, 0.25)));
-        ASSERT_TRUE(film.merge(pass_over({1, 0, 2, 1}, 1, 2, {1.0, 0.0, 0.0, 0.0}, {3.0, 0.0, 0.0, 0.0}, 0.5, 0.5)));
+        ASSERT_TRUE(film.merge(uneven_pass({0, 0, 1, 1}, 1, 2, {4.0, 4.0, 0.0, 0.0}, {4.0, 4.0, 0.0, 0.0}, 0.25)));
+        ASSERT_TRUE(film.merge(uneven_pass({1, 0, 2, 1}, 1, 2, {1.0, 0.0, 0.0, 0.0}, {3.0, 0.0, 0.0, 0.0}, 0.5, 0.5)));
         const FilmStatus status = film.status();
         EXPECT_EQ(status.fewest_samples, 0U);
         EXPECT_EQ(status.mean_samples, 4.0 / 3.0);
@@ -241,10 +241,10 @@ TEST(FilmViewer, ThePicturesErrorIsRelativeToItsLight) {
 TEST(FilmViewer, ABlackPictureFromWhichLightIsMissingHasNoRelativeError) {
     Film film;
     film.reset(layout_of(1, 1, 1), 1);
-    ASSERT_TRUE(film.merge(pass_over({0, 0, 1, 1}, 1, 1, {}, {}, 0.0)));
+    ASSERT_TRUE(film.merge(uneven_pass({0, 0, 1, 1}, 1, 1, {}, {}, 0.0)));
     EXPECT_EQ(film.status().error.truncation, 0.0);
     EXPECT_FALSE(film.status().error.sampling);
-    ASSERT_TRUE(film.merge(pass_over({0, 0, 1, 1}, 1, 1, {}, {}, 0.5)));
+    ASSERT_TRUE(film.merge(uneven_pass({0, 0, 1, 1}, 1, 1, {}, {}, 0.5)));
     EXPECT_EQ(film.status().error.truncation, infinite);
     EXPECT_FALSE(film.status().error.sampling) << "two black halves agree, and have seen nothing";
 }
@@ -260,7 +260,7 @@ TEST(FilmViewer, EveryPlaneTogetherFitsIntoTheMemoryBudget) {
         Film film;
         film.reset(layout, 1);
         for (const TileRect& rect : cut_tiles(64, 64, 32)) {
-            TileBuffer pass = pass_over(rect, 1, 2, {}, {}, 0.5, 0.5);
+            TileBuffer pass = uneven_pass(rect, 1, 2, {}, {}, 0.5, 0.5);
             const std::size_t entries = rect.pixel_count() * static_cast<std::size_t>(wavelengths);
             pass.stokes.assign(entries, {1.0, 0.0, 0.0, 0.0});
             pass.odd_minus_even.assign(entries, {1.0, 0.0, 0.0, 0.0});
@@ -286,7 +286,7 @@ TEST(FilmViewer, ReadersNeverMixGenerationsOrPasses) {
             static_cast<void>(film.show(strip_of(g, 8, 0, {light})));
             for (int pass = 0; pass < 4; ++pass)
                 for (const int x : {0, 4})
-                    static_cast<void>(film.merge(pass_over({x, 0, x + 4, 4}, g, 1, {light, 0.0, 0.0, 0.0}, {})));
+                    static_cast<void>(film.merge(uneven_pass({x, 0, x + 4, 4}, g, 1, {light, 0.0, 0.0, 0.0}, {})));
         }
     });
     std::jthread exporter([&film](const std::stop_token& stop) {

@@ -9,7 +9,7 @@ usage() {
     cat <<END
 Usage: tests/fuzz/run.sh [SECONDS [KIND...]]
 
-Builds the libFuzzer targets (preset fuzz: clang, address and undefined sanitizers) and runs each for SECONDS, 12 by
+Builds the libFuzzer targets (preset asan: clang, address and undefined sanitizers) and runs each for SECONDS, 12 by
 default, JOBS of them at a time, 2 by default. KIND: ${every_kind[*]}; all by default.
 A target starts with tests/fuzz/corpus/KIND, the shipped assets of its kind and what earlier runs found worth keeping
 (build/fuzz/corpus/KIND). An input that crashes, leaks, takes more than 60 s or 4 GiB is kept in build/fuzz/findings; the
@@ -31,9 +31,11 @@ done
 # shellcheck source=tests/support/setup.sh
 . "$root/tests/support/setup.sh"
 make_build_folder
-configure fuzz || { why_not_configured fuzz run test >&2 && exit 100; }
+configure asan || { why_not_configured asan run test >&2 && exit 100; }
+built=$build/asan
 build=$build/fuzz
-cmake --build "$build" -j "${JOBS:-2}" --target polariscope_fuzz -- --quiet || exit 100
+mkdir -p "$build"
+cmake --build "$built" -j "${JOBS:-2}" --target polariscope_fuzz -- --quiet || exit 100
 
 # Every input becomes a file, most of the work if that lies on a disk.
 scratch=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
@@ -63,7 +65,7 @@ fuzz() {
     texture) cp "$root"/assets/textures/*.png "$corpus" ;;
     array) cp "$root"/tests/data/pictures/stokes_dialects/*.{npy,npz,png,fits} "$corpus" ;;
     esac
-    "${unrandomized[@]}" "$build/tests/fuzz/polariscope_fuzz_$kind" -max_total_time="$seconds" -timeout=60 -report_slow_units=60 \
+    "${unrandomized[@]}" "$built/tests/fuzz/polariscope_fuzz_$kind" -max_total_time="$seconds" -timeout=60 -report_slow_units=60 \
         -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$build/findings/$kind-" "$corpus" </dev/null >"$log" 2>&1 || {
         verdict="FAILED, see build/fuzz/findings"
         touch "$scratch/$kind.failed"

@@ -64,7 +64,7 @@ protected:
     }
 };
 
-PictureSource source(const fs::path& path, const std::string& layout = {}) {
+PictureSource named(const fs::path& path, const std::string& layout = {}) {
     PictureSource source;
     source.files = {path};
     source.layout = layout;
@@ -72,7 +72,7 @@ PictureSource source(const fs::path& path, const std::string& layout = {}) {
 }
 
 Result<StokesImage> read(const fs::path& path, const std::string& layout = {}) {
-    return read_picture(source(path, layout));
+    return read_picture(named(path, layout));
 }
 
 StokesImage image_of(const fs::path& path, const std::string& layout = {}) {
@@ -82,9 +82,9 @@ StokesImage image_of(const fs::path& path, const std::string& layout = {}) {
 }
 
 /// What is wrong; the same for the header alone.
-std::string refusal(const fs::path& path, const std::string& layout = {}) {
+std::string refusal_of(const fs::path& path, const std::string& layout = {}) {
     const Result<StokesImage> image = read(path, layout);
-    const Result<PictureHeader> header = read_picture_header(source(path, layout));
+    const Result<PictureHeader> header = read_picture_header(named(path, layout));
     if (image || header) return "read";
     EXPECT_EQ(image.error().what, header.error().what);
     EXPECT_EQ(image.error().kind, ErrorKind::input);
@@ -104,7 +104,7 @@ Names with(Names names, const Names& more) {
     return names;
 }
 
-bool says(const Names& sentences, const std::string& words) {
+bool one_says(const Names& sentences, const std::string& words) {
     return std::any_of(sentences.begin(), sentences.end(),
                        [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
 }
@@ -123,9 +123,10 @@ TEST_F(PictureFile, BareComponentsAreReadInAnyCaseAndBehindAnyLayer) {
     const StokesImage linear = image_of(write("linear.exr", {"I", "Q", "U"}));
     EXPECT_EQ(linear.bands[0].known, StokesComponents::linear());
     EXPECT_EQ(linear.origin.assumed, Names{std::string(assumed_axes)});
-    EXPECT_EQ(refusal(write("twice.exr", {"a.S0", "a.S1", "a.S2", "b.S0", "b.S1", "b.S2"})),
+    EXPECT_EQ(refusal_of(write("twice.exr", {"a.S0", "a.S1", "a.S2", "b.S0", "b.S1", "b.S2"})),
               "has Stokes components twice, as a.S0 and as b.S0");
-    EXPECT_EQ(refusal(write("case.exr", {"S0", "s0", "S1", "S2"})), "channels S0 and s0 are of one Stokes component");
+    EXPECT_EQ(refusal_of(write("case.exr", {"S0", "s0", "S1", "S2"})),
+              "channels S0 and s0 are of one Stokes component");
 }
 
 TEST_F(PictureFile, SpectralPicturesMayLackS3OrAllPolarization) {
@@ -134,8 +135,9 @@ TEST_F(PictureFile, SpectralPicturesMayLackS3OrAllPolarization) {
     EXPECT_EQ(linear.at(0, 1), (Stokes<double>{11.0, 21.0, 31.0, 0.0}));
     const StokesImage s0 = image_of(write("s0.exr", {"S0.580nm", "S0.600nm"}));
     EXPECT_EQ(s0.bands[1], (Band{600.0, {}, StokesComponents::s0()}));
-    EXPECT_EQ(refusal(write("gap.exr", {"S0.580nm", "S1.580nm"})), "S2 has no channel for S0.580nm");
-    EXPECT_EQ(refusal(write("headless.exr", {"S1.580nm", "S2.580nm", "S3.580nm"})), "S0 has no channel for S1.580nm");
+    EXPECT_EQ(refusal_of(write("gap.exr", {"S0.580nm", "S1.580nm"})), "S2 has no channel for S0.580nm");
+    EXPECT_EQ(refusal_of(write("headless.exr", {"S1.580nm", "S2.580nm", "S3.580nm"})),
+              "S0 has no channel for S1.580nm");
 }
 
 TEST_F(PictureFile, WhatTheFileSaysNeedNotBeAssumed) {
@@ -180,10 +182,10 @@ TEST_F(PictureFile, ASpecfilmIsReadIfItsLabelsCanBe) {
     EXPECT_EQ(three.at(2, 0), (Stokes<double>{40.0, 70.0, 100.0, 0.0}));
     EXPECT_EQ(three.bands[2].known, StokesComponents::linear());
     EXPECT_EQ(
-        refusal(write("2.exr", with(twelve(), {"a", "b"}), mitsuba)),
+        refusal_of(write("2.exr", with(twelve(), {"a", "b"}), mitsuba)),
         "was made by Mitsuba with a specfilm of 2 bands: its labels S0.R to S3.B are 2 places off and numbers are "
         "lost");
-    EXPECT_EQ(refusal(write("1.exr", with(twelve(), {"a"}), mitsuba)).substr(0, 54),
+    EXPECT_EQ(refusal_of(write("1.exr", with(twelve(), {"a"}), mitsuba)).substr(0, 54),
               "was made by Mitsuba with a specfilm of 1 band: its lab");
     // What other integrators add has dots.
     EXPECT_EQ(image_of(write("aov.exr", with(twelve(), {"nn.X", "R", "G", "B", "A"}), mitsuba)).bands.size(), 3U);
@@ -197,9 +199,9 @@ TEST_F(PictureFile, UnnamedChannelsAreReadByPosition) {
         const double first = 10.0 * (count - 11);  // S0.R
         EXPECT_EQ(image.at(0, 0), (Stokes<double>{first, first + 30.0, first + 60.0, first + 90.0})) << count;
         EXPECT_EQ(image.at(2, 0).s0, first + 20.0);
-        EXPECT_TRUE(says(image.origin.assumed, "by position"));
+        EXPECT_TRUE(one_says(image.origin.assumed, "by position"));
     }
-    EXPECT_NE(refusal(write("array.exr", {"ch00", "ch01", "ch02"})), "read");
+    EXPECT_NE(refusal_of(write("array.exr", {"ch00", "ch01", "ch02"})), "read");
 }
 
 TEST_F(PictureFile, OtherBandsKeepTheirNames) {
@@ -222,19 +224,19 @@ TEST_F(PictureFile, PicturesWithoutPolarizationHaveS0Alone) {
     EXPECT_EQ(image_of(write("a.exr", {"Y", "A"})).bands[0].label(), "Y");
     EXPECT_EQ(image_of(write("a.exr", {"luminance"})).bands[0].label(), "luminance");
     for (const Names& names : {Names{"S1"}, {"Q"}, {"S2.R"}, {"S1.R", "S1.G", "S1.B"}, {"R", "G"}})
-        EXPECT_EQ(refusal(write("a.exr", names)).substr(0, 26), "no Stokes channels; found ") << names[0];
+        EXPECT_EQ(refusal_of(write("a.exr", names)).substr(0, 26), "no Stokes channels; found ") << names[0];
 }
 
 TEST_F(PictureFile, TwoLayoutsThatFitAreNamedAndOneMayBeChosen) {
     const Names both = with(twelve(), {"S0.580nm", "S1.580nm", "S2.580nm", "S3.580nm"});
     const fs::path file = write("both.exr", both);
-    EXPECT_EQ(refusal(file), "has the channels of two layouts, spectral and mitsuba");
+    EXPECT_EQ(refusal_of(file), "has the channels of two layouts, spectral and mitsuba");
     EXPECT_EQ(read(file).error().hint, "say which: --layout spectral or --layout mitsuba");
     EXPECT_EQ(image_of(file, "spectral").bands.size(), 1U);
     EXPECT_EQ(image_of(file, "mitsuba").bands.size(), 3U);
     // The file says who wrote it.
     EXPECT_EQ(image_of(write("a.exr", both, {{{"generatedBy", "Mitsuba version 3.9.1"}}})).bands.size(), 3U);
-    EXPECT_EQ(refusal(file, "bare").substr(0, 41), "does not have the channels of layout bare");
+    EXPECT_EQ(refusal_of(file, "bare").substr(0, 41), "does not have the channels of layout bare");
     const Result<StokesImage> unknown = read(file, "fancy");
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().kind, ErrorKind::usage);
@@ -267,7 +269,7 @@ TEST_F(PictureFile, FourFilesAreFoundByAnyOfTheirEndings) {
 
 TEST_F(PictureFile, FourFilesThatDoNotFitTogetherAreRefused) {
     for (const char* name : {"a_I", "a_Q", "a_U"}) write(std::string(name) + ".exr", {"R", "G", "B"});
-    EXPECT_EQ(refusal(path("a_Q.exr")), "is one of four files, of which a_V.exr is missing");
+    EXPECT_EQ(refusal_of(path("a_Q.exr")), "is one of four files, of which a_V.exr is missing");
     Form narrow;
     narrow.width = 3;
     write("a_V.exr", {"R", "G", "B"}, narrow);
@@ -279,7 +281,7 @@ TEST_F(PictureFile, FourFilesThatDoNotFitTogetherAreRefused) {
     const StokesImage lone = image_of(write("photo_V.exr", {"R", "G", "B"}));
     EXPECT_EQ(lone.bands[0].known, StokesComponents::s0());
     EXPECT_EQ(lone.origin.assumed, Names{"this is a picture of S0: photo_I.exr is not beside it"});
-    EXPECT_EQ(refusal(write("w_Q.exr", {"L"}, {{{"renderer", "wave_tracer 0.1"}}})),
+    EXPECT_EQ(refusal_of(write("w_Q.exr", {"L"}, {{{"renderer", "wave_tracer 0.1"}}})),
               "is one of four files, of which w_I.exr is missing");
     // What is inside goes before what lies beside.
     EXPECT_EQ(image_of(write("s_I.exr", {"S0.580nm"})).bands[0].wavelength_nm, 580.0);
@@ -303,16 +305,16 @@ TEST_F(PictureFile, FilesOfComponentsMayBeNamedAndSomeLeftOut) {
 
 TEST_F(PictureFile, PartsOfAPictureAreRefusedAsWhatTheyAre) {
     const Names names{"sum.S0.580,000000nm.hi", "sum.S0.580,000000nm.lo", "R", "G", "B"};
-    EXPECT_EQ(refusal(write("part.exr", names, {{{"polariscope.part", "3/16"}}})), "this is part 3 of 16");
+    EXPECT_EQ(refusal_of(write("part.exr", names, {{{"polariscope.part", "3/16"}}})), "this is part 3 of 16");
 }
 
 TEST_F(PictureFile, WhatIsNoPictureIsRefused) {
     std::ofstream(path("text.exr")) << "not a picture";
     std::ofstream(path("empty.exr")).close();
-    EXPECT_EQ(refusal(path("missing.exr")), "there is no such file");
-    EXPECT_EQ(refusal(folder_), "is a folder, not a picture");
-    EXPECT_EQ(refusal(path("empty.exr")), "is empty");
-    EXPECT_EQ(refusal(path("text.exr")), "is no picture that is read");
+    EXPECT_EQ(refusal_of(path("missing.exr")), "there is no such file");
+    EXPECT_EQ(refusal_of(folder_), "is a folder, not a picture");
+    EXPECT_EQ(refusal_of(path("empty.exr")), "is empty");
+    EXPECT_EQ(refusal_of(path("text.exr")), "is no picture that is read");
     // Content decides, not the ending.
     fs::copy_file(write("a.exr", {"Y"}), path("a.png"));
     EXPECT_EQ(image_of(path("a.png")).bands[0].label(), "Y");
@@ -328,18 +330,18 @@ TEST_F(PictureFile, ReadingTellsOfItsProgressAndCanBeStopped) {
         shares.push_back(share);
         return true;
     };
-    ASSERT_TRUE(read_picture(source(path()), listen));
+    ASSERT_TRUE(read_picture(named(path()), listen));
     EXPECT_EQ(shares.size(), 4U);  // bands of 32 lines
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_EQ(shares.back(), 1.0);
     const auto stop = [&](double share) { return share < 0.5; };
-    const Result<StokesImage> stopped = read_picture(source(path()), stop);
+    const Result<StokesImage> stopped = read_picture(named(path()), stop);
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().what, "was stopped");
     // Four files are one picture.
     for (const char* name : {"a_I", "a_Q", "a_U", "a_V"}) write(std::string(name) + ".exr", {"Y"});
     shares.clear();
-    ASSERT_TRUE(read_picture(source(path("a_I.exr")), listen));
+    ASSERT_TRUE(read_picture(named(path("a_I.exr")), listen));
     EXPECT_EQ(shares, (std::vector<double>{0.25, 0.5, 0.75, 1.0}));
 }
 

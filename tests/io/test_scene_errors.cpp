@@ -23,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Line 1 of most cases.
-const std::string camera = "camera: {position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 30}\n";
+const std::string some_camera = "camera: {position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 30}\n";
 /// The same and an empty list of objects in line 2.
-const std::string empty_scene = camera + "objects: []\n";
+const std::string empty_scene = some_camera + "objects: []\n";
 
 struct BadScene {
     const char* story;
@@ -40,7 +40,7 @@ struct BadScene {
 };
 
 std::string object(const std::string& rest) {
-    return camera + "objects:\n  - {name: a, " + rest + "}\n";
+    return some_camera + "objects:\n  - {name: a, " + rest + "}\n";
 }
 
 const std::vector<BadScene>& bad_scenes() {
@@ -54,12 +54,13 @@ const std::vector<BadScene>& bad_scenes() {
         {"a comma after the end", "{objects: []},\n", ",\n", "", "second YAML document", "comma"},
         {"a tab before a key", "camera:\n\tfov: 3\n", "\tfov", "", "indented with a tab; YAML allows only spaces",
          "spaces"},
-        {"a tab before an item", camera + "objects:\n\t- {name: a}\n", "\t- {", "", "indented with a tab", "spaces"},
-        {"a tab after spaces", camera + "objects:\n  - name: a\n  \tabsorber: on\n", "\tabs", "", "indented with a tab",
+        {"a tab before an item", some_camera + "objects:\n\t- {name: a}\n", "\t- {", "", "indented with a tab",
          "spaces"},
-        {"a tab between a dash and a key", camera + "objects:\n  -\tname: a\n    absorber: on\n", "\tname", "",
+        {"a tab after spaces", some_camera + "objects:\n  - name: a\n  \tabsorber: on\n", "\tabs", "",
          "indented with a tab", "spaces"},
-        {"a no-break space before an item", camera + "objects:\n\u00a0 - name: a\n    absorber: on\n", ": on", "",
+        {"a tab between a dash and a key", some_camera + "objects:\n  -\tname: a\n    absorber: on\n", "\tname", "",
+         "indented with a tab", "spaces"},
+        {"a no-break space before an item", some_camera + "objects:\n\u00a0 - name: a\n    absorber: on\n", ": on", "",
          "not valid YAML", "U+00A0"},
         {"a no-break space before a number", empty_scene + "render: {residual: \u00a01e-3}\n", "\u00a01e-3",
          "render.residual", "'<U+00A0>1e-3', expected a number", "1.5"},
@@ -79,7 +80,7 @@ const std::vector<BadScene>& bad_scenes() {
         {"a map merged into itself", empty_scene + "render: &r {<<: *r}\n", "<<", "render.<<", "more than 100 maps",
          "write the keys out"},
 
-        {"unknown key", camera + "objets: []\n", "objets", "objets", "unknown key", "'objects'"},
+        {"unknown key", some_camera + "objets: []\n", "objets", "objets", "unknown key", "'objects'"},
         {"unknown axis", object("shape: {mesh: {file: bench/gem.ply, up: w}}, absorber: on"), "w}",
          "objects[0].shape.mesh.up", "unknown word 'w'", "y"},
         {"unknown key far from all", empty_scene + "zzzzzz: 1\n", "zzzzzz", "zzzzzz", "unknown key", "known: title"},
@@ -89,13 +90,14 @@ const std::vector<BadScene>& bad_scenes() {
          "unknown key", "'medium'"},
         {"duplicate key", empty_scene + "title: a\ntitle: b\n", "title: b", "title", "occurs twice", "line 3"},
         {"missing camera", "objects: []\n", "object", "camera", "missing", "camera: ..."},
-        {"missing objects", camera, "camera", "objects", "missing", "objects: ..."},
+        {"missing objects", some_camera, "camera", "objects", "missing", "objects: ..."},
         {"missing key inside", "objects: []\ncamera: {position: [0, 0, 5], fov: 30}\n", "{posit", "camera.target",
          "missing", "target: ..."},
-        {"missing name", camera + "objects:\n  - {shape: {sphere: {radius: 1}}, absorber: on}\n", "{shape",
+        {"missing name", some_camera + "objects:\n  - {shape: {sphere: {radius: 1}}, absorber: on}\n", "{shape",
          "objects[0].name", "missing", "name: ..."},
 
-        {"wrong type: map for list", camera + "objects: {}\n", "{}", "objects", "found a map, expected a list", "- "},
+        {"wrong type: map for list", some_camera + "objects: {}\n", "{}", "objects", "found a map, expected a list",
+         "- "},
         {"wrong type: list for map", "camera: [1]\nobjects: []\n", "[1]", "camera", "found a list, expected a map",
          "key"},
         {"wrong type: word for number", empty_scene + "render: {residual: small}\n", "small}", "render.residual",
@@ -205,9 +207,10 @@ const std::vector<BadScene>& bad_scenes() {
         {"texture on a ball", object("shape: {sphere: {radius: 1}}, emission: {radiance: {texture: test-card.png}}"),
          "{textu", "objects[0].emission.radiance", "only a rectangle", "rectangle"},
         {"duplicate object",
-         camera + "objects:\n  - {name: a, shape: {disk: {radius: 1}}, absorber: on}\n  - {name: \"a\", shape: {disk: "
-                  "{radius: 1}}, "
-                  "absorber: on}\n",
+         some_camera +
+             "objects:\n  - {name: a, shape: {disk: {radius: 1}}, absorber: on}\n  - {name: \"a\", shape: {disk: "
+             "{radius: 1}}, "
+             "absorber: on}\n",
          "\"a\"", "objects[1].name", "another object is called 'a'", "rename"},
         {"duplicate medium", empty_scene + "media: {a: 1.5, a: 1.6}\n", "a: 1.6", "media.a", "occurs twice", "line 3"},
         {"open solid", object("shape: {disk: {radius: 1}}, medium: g") + "media: {g: 1.5}\n", "g}", "objects[0].medium",
@@ -325,7 +328,7 @@ TEST_F(SceneFolder, MissingFilesAndDirectoriesAreRefusedByName) {
 
 TEST_F(SceneFolder, IncludesBringMediaAndObjectsAndKeepTheirPlaces) {
     write("glass.yaml", "media:\n  glass: 1.5\nobjects:\n  - {name: b, shape: {sphere: {radius: 1}}, medium: glass}\n");
-    const fs::path path = write("main.yaml", camera +
+    const fs::path path = write("main.yaml", some_camera +
                                                  "include: [glass.yaml]\n"
                                                  "objects:\n  - {name: a, shape: {disk: {radius: 1}}, absorber: on}\n");
     const Result<Scene> scene = load_scene(path);
@@ -364,7 +367,7 @@ TEST_F(SceneFolder, AnIncludeThatLeadsBackIsRefusedWithItsChain) {
 }
 
 TEST_F(SceneFolder, AnIncludeHasNoCamera) {
-    write("b.yaml", camera);
+    write("b.yaml", some_camera);
     const Result<Scene> scene = load_scene(write("a.yaml", empty_scene + "include: [b.yaml]\n"));
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().field, "camera");

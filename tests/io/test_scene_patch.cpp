@@ -59,7 +59,7 @@ objects:
     emission: {radiance: {d65: 1}}
 )";
 
-Scene parsed(const std::string& text, const fs::path& file = here) {
+Scene parsed_at(const std::string& text, const fs::path& file = here) {
     Result<Scene> scene = parse_scene(text, file.string(), file.parent_path());
     if (!scene) {
         ADD_FAILURE() << to_string(scene.error()) << "\n" << text;
@@ -69,12 +69,12 @@ Scene parsed(const std::string& text, const fs::path& file = here) {
 }
 
 std::optional<std::string> patched(const std::string& source, const Edit& edit) {
-    const Scene before = parsed(source);
+    const Scene before = parsed_at(source);
     Scene edited = before;
     edit(edited);
     auto text = patch_scene(source, before, edited, here, here);
     if (text) {
-        EXPECT_EQ(scene_hash(parsed(*text)), scene_hash(edited)) << *text;
+        EXPECT_EQ(scene_hash(parsed_at(*text)), scene_hash(edited)) << *text;
     }
     return text;
 }
@@ -244,7 +244,7 @@ TEST(ScenePatch, AnEditOfAnIncludedFileIsNotForThisFile) {
     std::ofstream(folder / "included/optics.yaml")
         << "media: {extra: 1.4}\nobjects: [{name: drop, shape: {sphere: {radius: 0.1}}, medium: extra, priority: 1}]\n";
     const fs::path file = folder / "scene.yaml";
-    const Scene before = parsed(source, file);
+    const Scene before = parsed_at(source, file);
     Scene edited = before;
     edited.camera.position.y = -3.5;
     const auto own = patch_scene(source, before, edited, file, file);
@@ -265,7 +265,7 @@ TEST(ScenePatch, AnEditOfAnIncludedFileIsNotForThisFile) {
 
 TEST(ScenePatch, FilesThatShipWithTheProgramKeepTheirNamesElsewhere) {
     const std::string source = with(by_hand, "radiance: {d65: 1}}", "radiance: {texture: test-card.png}}  # a card");
-    const Scene scene = parsed(source);
+    const Scene scene = parsed_at(source);
     const auto text = patch_scene(source, scene, scene, here, fs::temp_directory_path() / "elsewhere.yaml");
     ASSERT_TRUE(text);
     EXPECT_EQ(*text, source);
@@ -314,19 +314,19 @@ TEST(ScenePatch, OfEveryShippedSceneChangesALineAndKeepsAllComments) {
                  s.media[0].matter = IsotropicMedium{ConstantIndex{{1.234, 0.0}}, ConstantSpectrum{0.5}};
          }},
     };
-    std::size_t scenes = 0;
+    std::size_t files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(POL_ASSETS) / "scenes")) {
         if (entry.path().extension() != ".yaml") continue;
-        ++scenes;
+        ++files;
         const std::string source = read_scene_text(entry.path()).value();
-        const Scene before = parsed(source, entry.path());
+        const Scene before = parsed_at(source, entry.path());
         for (const auto& [name, edit] : edits) {
             SCOPED_TRACE(entry.path().filename().string() + ", " + name);
             Scene edited = before;
             edit(edited);
             const auto text = patch_scene(source, before, edited, entry.path(), entry.path());
             ASSERT_TRUE(text);
-            EXPECT_EQ(scene_hash(parsed(*text, entry.path())), scene_hash(edited));
+            EXPECT_EQ(scene_hash(parsed_at(*text, entry.path())), scene_hash(edited));
             const std::vector<std::string> now = lines_of(*text);
             std::size_t gone = 0;
             for (const std::string& line : lines_of(source)) {
@@ -340,7 +340,7 @@ TEST(ScenePatch, OfEveryShippedSceneChangesALineAndKeepsAllComments) {
             EXPECT_LE(gone, 3U) << *text;
         }
     }
-    EXPECT_GE(scenes, 17U);
+    EXPECT_GE(files, 17U);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ const std::string crossed_plates =
     "render: {residual: 1e-14, node_budget: 100000}\nmedia: {upper: " + calcite({1.0, 0.0, 0.0}) +
     ", lower: " + calcite({0.0, 1.0, 0.0}) + "}\nobjects:\n" + box("a", {8.0, 8.0, 0.5}, {0.0, 0.0, -0.25}, "upper") +
     box("b", {8.0, 8.0, 0.5}, {0.0, 0.0, -0.75}, "lower") + lamp("lamp", {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0}, 20.0);
-const double seam = std::pow((n_o - n_e) / (n_o + n_e), 2);
+const double reflected_at_seam = std::pow((n_o - n_e) / (n_o + n_e), 2);
 
 // A plate with a distant box is no convex solid any more and goes to Embree. The ray meets the seam on the diagonal
 // between two triangles.
@@ -122,7 +122,7 @@ TEST(CrystalsInContact, HaveOneInterfaceAlsoWhereTheyAreMeshes) {
         expect_stokes(look(scene), exact, 1e-14 + 40.0 * surface_rounding);
         const Explanation e = explain_look(scene);
         EXPECT_EQ(e.result.failures, 0U);
-        EXPECT_NEAR(kept(e, "To Te", "To"), 1.0 - seam, surface_rounding);
+        EXPECT_NEAR(kept(e, "To Te", "To"), 1.0 - reflected_at_seam, surface_rounding);
     }
 }
 

@@ -6,7 +6,7 @@ namespace pol::test {
 namespace {
 
 constexpr double n_glass = 1.5;
-const double brewster = std::atan(n_glass);
+const double plate_brewster = std::atan(n_glass);
 
 constexpr double thickness = 0.1;
 
@@ -36,7 +36,8 @@ TEST(PileOfPlates, T5HoldsOnAverageWhereOneRandomPathStandsForTheRest) {
     const double spread = std::pow(2.0 * n_glass / (n_glass * n_glass - 1.0), 2);
     for (const int plates : {5, 10}) {
         SCOPED_TRACE(plates);
-        const StokesImage image = test::render(scene_of(pile(plates, brewster, "size: [64, 64], node_budget: 500")));
+        const StokesImage image =
+            test::render(scene_of(pile(plates, plate_brewster, "size: [64, 64], node_budget: 500")));
         const auto pixels = static_cast<double>(image.pixel_count());
         double sum = 0.0;
         double squares = 0.0;

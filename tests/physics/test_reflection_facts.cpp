@@ -7,7 +7,7 @@ namespace {
 
 // One surface is some 20 operations on numbers of order 1, each rounded by eps/2, and the angle itself (a direction
 // normalised by the camera) is good to a few eps with a slope of order n.
-constexpr double one_surface = 32.0 * eps;
+constexpr double one_reflection = 32.0 * eps;
 
 /// A lamp seen by reflection in a deep block of the medium, at the angle of incidence `i`.
 std::string mirror_scene(const std::string& medium, double i, const std::string& emission = "radiance: 1") {
@@ -37,8 +37,8 @@ TEST(Reflection, T3AtGrazingIncidenceBecomesTotalAndUnpolarized) {
         const Stokes<double> s = look(mirror_scene("1.5", 0.5 * pi - grazing));
         const double lost_s = 4.0 * grazing / std::sqrt(1.25);
         // The next orders are -8 (grazing/1.118)^2 and -8 (2.25 grazing/1.118)^2 and smaller still.
-        EXPECT_NEAR(1.0 - (s.s0 + s.s1), lost_s, 10.0 * grazing * grazing + one_surface);
-        EXPECT_NEAR(1.0 - (s.s0 - s.s1), 2.25 * lost_s, 40.0 * grazing * grazing + one_surface);
+        EXPECT_NEAR(1.0 - (s.s0 + s.s1), lost_s, 10.0 * grazing * grazing + one_reflection);
+        EXPECT_NEAR(1.0 - (s.s0 - s.s1), 2.25 * lost_s, 40.0 * grazing * grazing + one_reflection);
         EXPECT_GT(s.s1, 0.0);
     }
 }
@@ -48,8 +48,8 @@ TEST(Reflection, FollowsFresnelAtEveryAngle) {
         SCOPED_TRACE(degree);
         const double i = radians(degree);
         const ClosedFresnel f(1.5, i);
-        expect_stokes(look(mirror_scene("1.5", i)), reflected(f.R_s(), f.R_p()), one_surface);
-        expect_stokes(look(mirror_scene("1.5", i, polarized("[0, 1, 0]"))), f.of_diagonal_light(), one_surface);
+        expect_stokes(look(mirror_scene("1.5", i)), reflected(f.R_s(), f.R_p()), one_reflection);
+        expect_stokes(look(mirror_scene("1.5", i, polarized("[0, 1, 0]"))), f.of_diagonal_light(), one_reflection);
     }
 }
 
@@ -81,12 +81,12 @@ TEST(ReversedRay, T19FindsTheSameTransmittanceAndReflectanceFromBothSides) {
             SCOPED_TRACE(state);
             const Stokes<double> out = look(refraction_scene(n, i, polarized(state)));
             const Stokes<double> in = look(inside_scene(n, i, false, polarized(state)));
-            expect_stokes(n * n * n * n * out, in, n * n * one_surface);
+            expect_stokes(n * n * n * n * out, in, n * n * one_reflection);
             const Stokes<double> above = look(mirror_scene(text(n), i, polarized(state)));
             const Stokes<double> below = look(inside_scene(n, i, true, polarized(state)));
-            expect_stokes(above, below, one_surface);
+            expect_stokes(above, below, one_reflection);
             // R + T = 1, whatever the state.
-            EXPECT_NEAR(n * n * out.s0 + above.s0, 1.0, n * n * one_surface);
+            EXPECT_NEAR(n * n * out.s0 + above.s0, 1.0, n * n * one_reflection);
         }
     }
 }
@@ -110,9 +110,9 @@ TEST(ReversedRay, T19HasTheOppositeReflectedAmplitudeAndObeysStokesRelations) {
         const double r_rev = s_amplitude(inside, Interaction::reflected);
         const double t = s_amplitude(outside, Interaction::transmitted);
         const double t_rev = s_amplitude(inside, Interaction::transmitted);
-        EXPECT_NEAR(r, ClosedFresnel(1.5, radians(degree)).r_s.re, one_surface);
-        EXPECT_NEAR(r_rev, -r, one_surface);
-        EXPECT_NEAR(t * t_rev, 1.0 - r * r, one_surface);
+        EXPECT_NEAR(r, ClosedFresnel(1.5, radians(degree)).r_s.re, one_reflection);
+        EXPECT_NEAR(r_rev, -r, one_reflection);
+        EXPECT_NEAR(t * t_rev, 1.0 - r * r, one_reflection);
     }
 }
 
@@ -134,7 +134,7 @@ TEST(TotalReflection, T11DelaysMostAtTheAngleOfItsClosedForm) {
         const Stokes<double> s = look(inner_mirror_scene(1.51, i, polarized("[0, 1, 0]")));
         return std::atan2(s.s3, s.s2);
     };
-    EXPECT_NEAR(delay(best), largest, one_surface);
+    EXPECT_NEAR(delay(best), largest, one_reflection);
     EXPECT_LT(delay(best - 0.01), largest - 1e-5);
     EXPECT_LT(delay(best + 0.01), largest - 1e-5);
 }

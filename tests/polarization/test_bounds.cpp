@@ -13,7 +13,7 @@
 namespace pol {
 namespace {
 
-double axial_distance(double a, double b) {
+double azimuth_distance(double a, double b) {
     return std::abs(std::remainder(a - b, pi));
 }
 
@@ -77,7 +77,7 @@ void expect_covered(const Trial& t) {
         expect_inside(bars.ellipticity_angle, m.ellipticity_angle, angle_slack, "ellipticity angle");
     }
     if (m.has_azimuth) {
-        EXPECT_LE(axial_distance(m.azimuth, measure(t.estimate).azimuth), bars.azimuth + angle_slack);
+        EXPECT_LE(azimuth_distance(m.azimuth, measure(t.estimate).azimuth), bars.azimuth + angle_slack);
     }
 }
 

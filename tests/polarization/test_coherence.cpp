@@ -18,7 +18,7 @@ using Coherence = CoherenceMatrix<double>;
 
 // A product of 2x2 complex matrices sums at most 4 terms a few times over; entries here are of order 1, so 16 epsilon
 // per step is generous and 1e-14 covers every chain below.
-constexpr double rounding = 1e-14;
+constexpr double sum_rounding = 1e-14;
 
 void expect_same(const Stokes<double>& a, const Stokes<double>& b, double tolerance) {
     EXPECT_NEAR(a.s0, b.s0, tolerance);
@@ -55,7 +55,7 @@ TEST(Coherence, TheSixStandardStatesHaveTheirStokesVectors) {
         {{h, h}, {1.0, 0.0, 1.0, 0.0}},         {{h, -h}, {1.0, 0.0, -1.0, 0.0}},
         {{h, {0.0, -h}}, {1.0, 0.0, 0.0, 1.0}}, {{h, {0.0, h}}, {1.0, 0.0, 0.0, -1.0}},
     };
-    for (const auto& c : cases) expect_same(to_stokes(Coherence::outer(c.field)), c.expected, rounding);
+    for (const auto& c : cases) expect_same(to_stokes(Coherence::outer(c.field)), c.expected, sum_rounding);
 }
 
 // The receiver looks against k and sees x to the right, y up. Clockwise there means that the field, as a real vector of
@@ -77,7 +77,7 @@ TEST(Coherence, StokesAndCoherenceSayTheSame) {
     for (int i = 0; i < 100; ++i) {
         const Coherence j = Coherence::outer(random.field()) + Coherence::outer(random.field());
         const Coherence back = to_coherence(to_stokes(j));
-        const double tolerance = rounding * trace(j);
+        const double tolerance = sum_rounding * trace(j);
         EXPECT_NEAR(back.xx, j.xx, tolerance);
         EXPECT_NEAR(back.yy, j.yy, tolerance);
         EXPECT_NEAR(back.xy.re, j.xy.re, tolerance);
@@ -93,9 +93,9 @@ TEST(Coherence, AnElementActsOnTheBeamAsOnItsFields) {
         const Jones v = random.field();
         const Coherence expected = Coherence::outer(a * u) + Coherence::outer(a * v);
         const Coherence j = transform(a, Coherence::outer(u) + Coherence::outer(v));
-        // |A|^2 and |v|^2 multiply the rounding.
+        // |A|^2 and |v|^2 multiply the sum_rounding.
         const double tolerance =
-            rounding * 4.0 * mean_transmittance(a) * (norm2(u.x) + norm2(u.y) + norm2(v.x) + norm2(v.y));
+            sum_rounding * 4.0 * mean_transmittance(a) * (norm2(u.x) + norm2(u.y) + norm2(v.x) + norm2(v.y));
         expect_same(to_stokes(j), to_stokes(expected), tolerance);
     }
 }
@@ -108,13 +108,13 @@ TEST(Coherence, RotatingTheBasisOfStokesAndOfCoherenceAgree) {
         const double c = std::cos(angle);
         const double s = std::sin(angle);
         const Matrix turn{{{c, s}, {-s, c}}};
-        expect_same(to_stokes(transform(turn, j)), rotate_basis(to_stokes(j), angle), rounding * trace(j));
+        expect_same(to_stokes(transform(turn, j)), rotate_basis(to_stokes(j), angle), sum_rounding * trace(j));
     }
 }
 
 TEST(Coherence, LightAlongXIsMinus45DegreesInAFrameTurnedBy45) {
     const Stokes<double> turned = rotate_basis(Stokes<double>{1.0, 1.0, 0.0, 0.0}, pi / 4.0);
-    expect_same(turned, {1.0, 0.0, -1.0, 0.0}, rounding);
+    expect_same(turned, {1.0, 0.0, -1.0, 0.0}, sum_rounding);
 }
 
 TEST(Mueller, ActsOnStokesAsJonesActsOnCoherence) {
@@ -122,7 +122,7 @@ TEST(Mueller, ActsOnStokesAsJonesActsOnCoherence) {
     for (int i = 0; i < 100; ++i) {
         const Matrix a = random.matrix();
         const Coherence j = Coherence::outer(random.field()) + Coherence::outer(random.field());
-        const double tolerance = rounding * 8.0 * mean_transmittance(a) * trace(j);
+        const double tolerance = sum_rounding * 8.0 * mean_transmittance(a) * trace(j);
         expect_same(to_mueller(a) * to_stokes(j), to_stokes(transform(a, j)), tolerance);
     }
 }
@@ -146,7 +146,7 @@ TEST(Mueller, OfTheReversedPathBelongsToTheTransposedJonesMatrix) {
         for (std::size_t r = 0; r < 4; ++r) {
             for (std::size_t c = 0; c < 4; ++c) {
                 const double expected = (r == 3) != (c == 3) ? -m.m[c][r] : m.m[c][r];
-                EXPECT_NEAR(back.m[r][c], expected, rounding * 4.0 * mean_transmittance(a));
+                EXPECT_NEAR(back.m[r][c], expected, sum_rounding * 4.0 * mean_transmittance(a));
             }
         }
     }

@@ -11,7 +11,7 @@
 namespace pol {
 namespace {
 
-std::shared_ptr<const Plan> picture(int samples) {
+std::shared_ptr<const Plan> small_plan(int samples) {
     Scene scene = test::shipped_scene("cube-calcite");
     scene.render.width = 40;
     scene.render.height = 36;
@@ -27,7 +27,7 @@ TEST(RenderToEnd, MakesThePictureAndTellsHowFarItIs) {
     double last = 0.0;
     bool finished = false;
     const FinishedRender render =
-        render_to_end(picture(8), {}, {.threads = 2, .tile_size = 16}, [&](const RenderProgress& progress) {
+        render_to_end(small_plan(8), {}, {.threads = 2, .tile_size = 16}, [&](const RenderProgress& progress) {
             EXPECT_FALSE(finished);
             EXPECT_GE(progress.done, last);
             last = progress.done;
@@ -37,7 +37,7 @@ TEST(RenderToEnd, MakesThePictureAndTellsHowFarItIs) {
     EXPECT_EQ(last, 1.0);
     EXPECT_EQ(render.progress.reason, StopReason::samples);
     Renderer renderer(1);
-    renderer.start(picture(8));
+    renderer.start(small_plan(8));
     renderer.wait();
     EXPECT_EQ(render.picture.stokes, renderer.snapshot().stokes);
 }
@@ -45,7 +45,7 @@ TEST(RenderToEnd, MakesThePictureAndTellsHowFarItIs) {
 TEST(RenderToEnd, StopsWhenAskedAndKeepsWhatIsFinished) {
     std::stop_source stop;
     const FinishedRender render = render_to_end(
-        picture(endless), {}, {.threads = 2, .tile_size = 16},
+        small_plan(endless), {}, {.threads = 2, .tile_size = 16},
         [&](const RenderProgress& progress) {
             if (progress.film.fewest_samples > 0) stop.request_stop();
         },
@@ -58,7 +58,7 @@ TEST(RenderToEnd, StopsWhenAskedAndKeepsWhatIsFinished) {
 TEST(RenderToEnd, DoesNothingIfItIsStoppedBeforehand) {
     std::stop_source stop;
     stop.request_stop();
-    const FinishedRender render = render_to_end(picture(endless), {}, {.threads = 2}, {}, stop.get_token());
+    const FinishedRender render = render_to_end(small_plan(endless), {}, {.threads = 2}, {}, stop.get_token());
     EXPECT_EQ(render.progress.reason, StopReason::cancelled);
     EXPECT_LT(render.progress.done, 0.01);
 }
@@ -67,7 +67,7 @@ TEST(Clock, EndsAJobThatNobodyAsksAbout) {
     RenderOptions options;
     options.stop.seconds = 0.2;
     Renderer renderer(2, 16);
-    renderer.start(picture(endless), options);
+    renderer.start(small_plan(endless), options);
     bool finished = false;
     for (int i = 0; i < 200 && !finished; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -83,9 +83,9 @@ TEST(Clock, OfTheNextJobBeginsAnew) {
     RenderOptions moment;
     moment.stop.seconds = 0.05;
     Renderer renderer(2, 16);
-    renderer.start(picture(endless), hour);
+    renderer.start(small_plan(endless), hour);
     EXPECT_FALSE(renderer.wait_for(0.02));
-    renderer.start(picture(endless), moment);
+    renderer.start(small_plan(endless), moment);
     renderer.wait();
     EXPECT_EQ(renderer.progress().reason, StopReason::time);
     EXPECT_LT(renderer.progress().seconds, 1.0);
@@ -95,7 +95,7 @@ TEST(Clock, AQuestionCountsTheTimeAndEndsNothing) {
     using std::chrono::milliseconds;
     RenderOptions options;
     options.stop.seconds = 0.5;
-    RenderJob job(picture(1), 1, options, 16);
+    RenderJob job(small_plan(1), 1, options, 16);
     const auto later = RenderJob::Clock::now() + milliseconds(800);
     EXPECT_GT(job.progress(later).seconds, 0.7);
     EXPECT_FALSE(job.progress(later).finished);
@@ -107,7 +107,7 @@ TEST(Clock, AQuestionCountsTheTimeAndEndsNothing) {
 
 TEST(Clock, DoesNotCountASuspendedProgram) {
     using std::chrono::seconds;
-    RenderJob job(picture(1), 1, {}, 16);
+    RenderJob job(small_plan(1), 1, {}, 16);
     const auto later = RenderJob::Clock::now() + seconds(60);
     EXPECT_LT(job.progress(later).seconds, 1.0);
     job.look(later);

@@ -18,7 +18,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// A shipped scene, 40 x 36 pixels (no whole number of tiles), some samples a pixel.
-std::shared_ptr<const Plan> picture(const std::string& name, int samples, int node_budget = 60) {
+std::shared_ptr<const Plan> plan_of_scene(const std::string& name, int samples, int node_budget = 60) {
     Scene scene = test::shipped_scene(name);
     scene.render.width = 40;
     scene.render.height = 36;
@@ -30,7 +30,7 @@ std::shared_ptr<const Plan> picture(const std::string& name, int samples, int no
 
 /// A picture that takes minutes.
 std::shared_ptr<const Plan> endless_picture() {
-    return picture("cube-calcite", 1 << 20, 1000);
+    return plan_of_scene("cube-calcite", 1 << 20, 1000);
 }
 
 void expect_same_bits(const StokesImage& a, const StokesImage& b) {
@@ -43,7 +43,7 @@ void expect_same_bits(const StokesImage& a, const StokesImage& b) {
 
 TEST(Renderer, GivesTheSameBitsForAnyThreadsAndTiles) {
     for (const char* name : {"paper-glass-polarized", "twinned-crystals", "metal-spheres", "crossed-polarizers"}) {
-        const auto plan = picture(name, 3);
+        const auto plan = plan_of_scene(name, 3);
         const StokesImage reference = test::render(plan, 1, 16);
         for (const int threads : {1, 2, 7})
             for (const int tile : {16, 64}) {
@@ -55,8 +55,8 @@ TEST(Renderer, GivesTheSameBitsForAnyThreadsAndTiles) {
 }
 
 TEST(Renderer, GivesTheSameBitsAfterRestartsInATightLoop) {
-    const auto plan = picture("paper-glass-polarized", 2);
-    const auto other = picture("cube-calcite", 2);
+    const auto plan = plan_of_scene("paper-glass-polarized", 2);
+    const auto other = plan_of_scene("cube-calcite", 2);
     const StokesImage reference = test::render(plan, 1, 16);
     for (const int threads : {2, 7}) {
         Renderer renderer(threads, 16);
@@ -108,9 +108,9 @@ TEST(Renderer, StopsSoonInsideOneEndlessTree) {
 
 // What `--time` does: when time is up, what is finished stays, and it is the mean of whole passes.
 TEST(Renderer, KeepsWholePassesWhenTimeIsUp) {
-    const StokesImage first = test::render(picture("paper-glass-polarized", 1, 200));
+    const StokesImage first = test::render(plan_of_scene("paper-glass-polarized", 1, 200));
     Renderer renderer(2, 16);
-    renderer.start(picture("paper-glass-polarized", 4096, 200));
+    renderer.start(plan_of_scene("paper-glass-polarized", 4096, 200));
     while (renderer.progress().statistics.samples < 40U * 36U) renderer.wait_for(0.005);
     renderer.cancel();
     ASSERT_TRUE(renderer.wait_for(20.0));
@@ -128,7 +128,7 @@ TEST(Renderer, KeepsWholePassesWhenTimeIsUp) {
 
 TEST(Renderer, ASnapshotInTheMiddleHoldsWholeTilesAndSaysWhatIsMissing) {
     Renderer renderer(1, 16);
-    renderer.start(picture("cube-calcite", 1, 3000));  // long enough that this thread sees it on its way
+    renderer.start(plan_of_scene("cube-calcite", 1, 3000));  // long enough that this thread sees it on its way
     bool partial = false;
     while (!renderer.wait_for(0.0005)) {
         const StokesImage image = renderer.snapshot();
@@ -149,7 +149,7 @@ TEST(Renderer, ASnapshotInTheMiddleHoldsWholeTilesAndSaysWhatIsMissing) {
 
 TEST(Renderer, RestsWhilePausedAndGoesOnToTheSameBits) {
     constexpr int samples = 512;  // about a second of work: this thread is in time to pause it
-    const auto plan = picture("paper-glass-polarized", samples, 200);
+    const auto plan = plan_of_scene("paper-glass-polarized", samples, 200);
     Renderer renderer(2, 16);
     renderer.start(plan);
     renderer.pause();
@@ -170,7 +170,7 @@ TEST(Renderer, StartsAnewFromAPause) {
     Renderer renderer(2, 16);
     renderer.start(endless_picture());
     renderer.pause();
-    renderer.start(picture("cube-glass", 1));
+    renderer.start(plan_of_scene("cube-glass", 1));
     EXPECT_TRUE(renderer.wait_for(20.0));
     EXPECT_EQ(renderer.progress().done, 1.0);
 }
@@ -178,7 +178,7 @@ TEST(Renderer, StartsAnewFromAPause) {
 TEST(Renderer, WakesItsOwnerAfterEveryTile) {
     std::atomic<int> calls{0};
     Renderer renderer(2, 16, [&calls] { ++calls; });
-    renderer.start(picture("cube-glass", 3));  // passes: samples 0, 1, 2
+    renderer.start(plan_of_scene("cube-glass", 3));  // passes: samples 0, 1, 2
     ASSERT_TRUE(renderer.wait_for(20.0));
     for (int i = 0; i < 200 && calls.load() < 27; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     EXPECT_EQ(calls.load(), 3 * 3 * 3);  // 3 x 3 tiles

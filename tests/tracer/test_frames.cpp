@@ -16,7 +16,7 @@ namespace pol {
 namespace {
 
 // Unit vectors are good to a few eps, and so are dot products of them.
-constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double frame_rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 class RandomDirections {
 public:
@@ -29,12 +29,12 @@ private:
 
 /// x, y, k orthonormal, and x cross y = k.
 void expect_right_handed(const DVec3& x, const DVec3& y, const DVec3& k) {
-    EXPECT_NEAR(length2(x), 1.0, rounding);
-    EXPECT_NEAR(length2(y), 1.0, rounding);
-    EXPECT_NEAR(dot(x, y), 0.0, rounding);
-    EXPECT_NEAR(dot(x, k), 0.0, rounding);
-    EXPECT_NEAR(dot(y, k), 0.0, rounding);
-    EXPECT_NEAR(dot(cross(x, y), k), 1.0, rounding);
+    EXPECT_NEAR(length2(x), 1.0, frame_rounding);
+    EXPECT_NEAR(length2(y), 1.0, frame_rounding);
+    EXPECT_NEAR(dot(x, y), 0.0, frame_rounding);
+    EXPECT_NEAR(dot(x, k), 0.0, frame_rounding);
+    EXPECT_NEAR(dot(y, k), 0.0, frame_rounding);
+    EXPECT_NEAR(dot(cross(x, y), k), 1.0, frame_rounding);
 }
 
 TEST(Frame, OfACameraThatLooksNorthHasXEastAndYUp) {
@@ -68,7 +68,7 @@ TEST(Frame, AtAnInterfaceHasSAcrossThePlaneOfIncidence) {
     const DVec3 n(0.0, 0.0, 1.0);
     const DVec3 k = unit(DVec3(1.0, 0.0, 2.0));
     // s = n x k points along +y for n = z, k in the xz plane towards +x.
-    EXPECT_NEAR(incidence_frame(n, k).s.y, 1.0, rounding);
+    EXPECT_NEAR(incidence_frame(n, k).s.y, 1.0, frame_rounding);
 }
 
 TEST(Frame, AtAnInterfaceIsRightHandedAlsoNextToTheNormal) {
@@ -102,17 +102,17 @@ TEST(Frame, ALinearStateKeepsItsFieldInSpaceInEveryFrame) {
         m.m = {{{{0.3, 0.1}, {-0.2, 0.7}}, {{0.5, -0.4}, {0.6, 0.2}}}};
         const Stokes<double> in_a = m.gather(outer(a_fields));
         const Stokes<double> in_b = in_basis(m, a_fields, b_fields[0], b_fields[1]).gather(outer(b_fields));
-        EXPECT_NEAR(in_b.s0, in_a.s0, rounding);
-        EXPECT_NEAR(in_b.s1, in_a.s1, rounding);
-        EXPECT_NEAR(in_b.s2, in_a.s2, rounding);
-        EXPECT_NEAR(in_b.s3, in_a.s3, rounding);
+        EXPECT_NEAR(in_b.s0, in_a.s0, frame_rounding);
+        EXPECT_NEAR(in_b.s1, in_a.s1, frame_rounding);
+        EXPECT_NEAR(in_b.s2, in_a.s2, frame_rounding);
+        EXPECT_NEAR(in_b.s3, in_a.s3, frame_rounding);
     }
 }
 
 TEST(Frame, TheWeightOfAThroughputIsTheShareOfUnpolarizedLightThatPasses) {
     Throughput<double> m;
     m.m = {{{{0.3, 0.1}, {-0.2, 0.7}}, {{0.5, -0.4}, {0.6, 0.2}}}};
-    EXPECT_NEAR(m.weight(), m.gather(CoherenceMatrix<double>::unpolarized(1.0)).s0, rounding);
+    EXPECT_NEAR(m.weight(), m.gather(CoherenceMatrix<double>::unpolarized(1.0)).s0, frame_rounding);
 }
 
 }  // namespace

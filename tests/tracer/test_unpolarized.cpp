@@ -26,14 +26,14 @@ Reflectances reflectances(double angle, double n) {
 }
 
 // A tree of a dozen steps, each of them a handful of roundings of 1.1e-16 of the pixel.
-constexpr double rounding = 1e-14;
+constexpr double light_rounding = 1e-14;
 
 TEST(Unpolarized, TwoMirrorsAtBrewstersAngleReflectHalfOfWhatPolarizationMakesOfThem) {
     Scene scene = test::scene_of(test::two_mirrors);
     const double r_s = test::brewster_s_reflectance;
-    EXPECT_NEAR(test::look(scene).s0, 0.5 * r_s * r_s, rounding);
+    EXPECT_NEAR(test::look(scene).s0, 0.5 * r_s * r_s, light_rounding);
     scene.render.unpolarized = true;
-    EXPECT_NEAR(test::look(scene).s0, std::pow(0.5 * r_s, 2), rounding);
+    EXPECT_NEAR(test::look(scene).s0, std::pow(0.5 * r_s, 2), light_rounding);
 }
 
 // A renderer without polarization knows nothing of a lamp but its S0.
@@ -44,7 +44,7 @@ TEST(Unpolarized, APolarizedLampIsAsBrightAndAsUnpolarizedAsAnyOther) {
         "{dop: 0.8, azimuth: 20, ellipticity: 0.4, handedness: left}}}]\n";
     Scene scene = test::scene_of(lamp);
     const Stokes<double> polarized = test::look(scene);
-    EXPECT_NEAR(polarized_part(polarized), 0.8 * 0.75, rounding);
+    EXPECT_NEAR(polarized_part(polarized), 0.8 * 0.75, light_rounding);
     scene.render.unpolarized = true;
     EXPECT_EQ(test::look(scene), (Stokes<double>{polarized.s0, 0.0, 0.0, 0.0}));
 }
@@ -67,7 +67,7 @@ TEST(Unpolarized, APileOfPlatesPassesWhatTheMeanReflectanceOfAFaceLetsThrough) {
         const double r = reflectances(angle, 1.5).mean();
         const Explanation seen = test::explain_look(test::scene_of(yaml));
         // The lamp's radiance is 1, so what was not traced, or by one random path, is off by at most its share.
-        const double bound = seen.result.residual + seen.result.tail + rounding;
+        const double bound = seen.result.residual + seen.result.tail + light_rounding;
         EXPECT_LT(bound, 1e-3);
         EXPECT_NEAR(seen.sample_light.s0, (1.0 - r) / (1.0 + (2.0 * plates - 1.0) * r), bound) << plates;
         EXPECT_EQ(polarized_part(seen.sample_light), 0.0);
@@ -110,7 +110,7 @@ TEST(Unpolarized, AtNormalIncidenceOnGlassThereIsNothingToForget) {
         "objects: [{name: plate, shape: {box: {size: 2}}, medium: glass}]\n");
     const Stokes<double> polarized = test::look(scene);
     scene.render.unpolarized = true;
-    EXPECT_NEAR(test::look(scene).s0, polarized.s0, rounding);
+    EXPECT_NEAR(test::look(scene).s0, polarized.s0, light_rounding);
 }
 
 }  // namespace

@@ -47,14 +47,14 @@ ConvergenceRequest small_request(const char* scene, const Folder& folder) {
     return request;
 }
 
-bool go_on(const ConvergenceProgress& /*progress*/) {
+bool watch_on(const ConvergenceProgress& /*progress*/) {
     return true;
 }
 
 // CUTTING.md 1.2: what was not traced bounds the Frobenius error, pixel by pixel and hence in the mean square.
 TEST(Convergence, TheErrorOfTruncationNeverExceedsItsBound) {
     const Folder folder("polariscope-test-converge-bound");
-    const auto result = converge(small_request("paper-glass-unpolarized.yaml", folder), go_on);
+    const auto result = converge(small_request("paper-glass-unpolarized.yaml", folder), watch_on);
     ASSERT_TRUE(result) << to_string(result.error());
     EXPECT_TRUE(result.value().complete);
     EXPECT_EQ(worst_bound_coverage(result.value().rows), 1.0);
@@ -81,7 +81,7 @@ TEST(Convergence, TheBoundHoldsForEveryPixelOfACrystal) {
     const Folder folder("polariscope-test-converge-crystal");
     ConvergenceRequest request = small_request("paper-calcite-polarized.yaml", folder);
     request.scene.render.node_budget = 300;
-    const auto result = converge(request, go_on);
+    const auto result = converge(request, watch_on);
     ASSERT_TRUE(result) << to_string(result.error());
     EXPECT_EQ(worst_bound_coverage(result.value().rows), 1.0);
 }
@@ -93,7 +93,7 @@ TEST(Convergence, ASecondStartGoesOnWhereTheFirstWasStopped) {
     ASSERT_TRUE(stopped);
     EXPECT_FALSE(stopped.value().complete);
     ASSERT_EQ(stopped.value().rows.size(), 7U);
-    const auto resumed = converge(request, go_on);
+    const auto resumed = converge(request, watch_on);
     ASSERT_TRUE(resumed);
     EXPECT_TRUE(resumed.value().complete);
     for (std::size_t i = 0; i < 7; ++i)
@@ -104,9 +104,9 @@ TEST(Convergence, RunsOfAnotherSceneAreNotTakenOver) {
     const Folder folder("polariscope-test-converge-other");
     ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
     request.seeds = 1;
-    ASSERT_TRUE(converge(request, go_on));
+    ASSERT_TRUE(converge(request, watch_on));
     request.scene.render.height = 10;
-    const auto other = converge(request, go_on);
+    const auto other = converge(request, watch_on);
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().field, "-o");
     EXPECT_NE(other.error().what.find("another scene"), std::string::npos) << other.error().what;
@@ -119,7 +119,7 @@ TEST(Convergence, RunsOfAnotherVersionAreCalledSoAndNothingIsOverwritten) {
     RunRow row;
     row.scene_hash = "0123456789abcdef0123456789abcdef";
     ASSERT_TRUE(write_file(folder.path() / "runs.csv", run_table_csv({row})));
-    const auto other = converge(request, go_on);
+    const auto other = converge(request, watch_on);
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().field, "-o");
     EXPECT_NE(other.error().what.find("another version"), std::string::npos) << other.error().what;
@@ -222,7 +222,7 @@ TEST(Convergence, WhereNothingScattersTheSamplingErrorIsNotMeasured) {
         const Folder folder("polariscope-test-converge-sampling");
         ConvergenceRequest request = small_request("paper-glass-unpolarized.yaml", folder);
         request.scene.render.mode = mode;
-        const auto result = converge(request, go_on);
+        const auto result = converge(request, watch_on);
         ASSERT_TRUE(result) << to_string(result.error());
         int known = 0;
         for (const RunRow& row : result.value().rows) {

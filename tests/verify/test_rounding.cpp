@@ -186,7 +186,7 @@ TEST(WideReplay, TellsThatAFaceWasMetBeyondItsEdge) {
     EXPECT_TRUE(wide_light(*narrow, explanation).value().beyond_edge);
 }
 
-bool go_on(std::size_t /*branches*/) {
+bool never_stop(std::size_t /*branches*/) {
     return true;
 }
 
@@ -194,7 +194,7 @@ bool go_on(std::size_t /*branches*/) {
 TEST(RoundingError, CountsThePixelsThatEndInARandomTail) {
     Scene scene = small(test::shipped_scene("cube-calcite"), 16);
     scene.render.node_budget = 10;
-    const RoundingError error = rounding_error(*test::plan_of(scene), go_on).value();
+    const RoundingError error = rounding_error(*test::plan_of(scene), never_stop).value();
     EXPECT_EQ(error.compared, 256U);
     EXPECT_GT(error.with_tail, 0U);
     EXPECT_LE(error.with_tail, error.compared);
@@ -204,7 +204,7 @@ TEST(RoundingError, CountsThePixelsThatEndInARandomTail) {
 TEST(RoundingError, IsZeroWhereNothingIsRounded) {
     Scene scene = empty_scene(camera_at({0.0, 0.0, 3.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}));
     scene.background.radiance = ConstantSpectrum{0.3};
-    const RoundingError error = rounding_error(*test::plan_of(scene), go_on).value();
+    const RoundingError error = rounding_error(*test::plan_of(scene), never_stop).value();
     EXPECT_EQ(error.compared, 1U);
     EXPECT_EQ(error.largest, 0.0);
 }

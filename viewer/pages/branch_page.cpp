@@ -35,10 +35,6 @@ PageRow complex(std::string name, const Complex<double>& z, std::string_view hel
     return {std::move(name), complex_text(z, 7, size), {}, exact_text(z), help};
 }
 
-PageRow words(std::string name, const std::string& text, std::string_view help) {
-    return {std::move(name), text, {}, text, help};
-}
-
 void add_matrix(std::vector<PageRow>& rows, const RayTreeNode& node) {
     constexpr std::string_view help = "From the branch's E1, E2 to the camera's x, y";
     const auto& m = node.start.throughput.m;
@@ -54,18 +50,18 @@ void add_arriving(std::vector<PageRow>& rows, const Explanation& explanation, co
     constexpr std::string_view help =
         "Light that arrives at the start of the branch, on its way to the camera, in the frame E1, E2";
     if (!node.arriving) {
-        rows.push_back(words("light", "not known on the random tail", help));
+        rows.push_back(word_row("light", "not known on the random tail", help));
         return;
     }
     rows.push_back(
-        words("light in", "E1, E2: " + Convention{}.text(), "Whatever convention the page of the pixel has"));
+        word_row("light in", "E1, E2: " + Convention{}.text(), "Whatever convention the page of the pixel has"));
     const Stokes<double> s = to_stokes(*node.arriving);
     rows.push_back(number("light S0", s.s0, "", help));
     rows.push_back(number("light S1", s.s1, "", help, s.s0));
     rows.push_back(number("light S2", s.s2, "", help, s.s0));
     rows.push_back(number("light S3", s.s3, "", help, s.s0));
-    rows.push_back(words("light is", handedness_of(measure_arriving(explanation, node)),
-                         "Handedness: right is clockwise for who looks along the backward ray"));
+    rows.push_back(word_row("light is", handedness_of(measure_arriving(explanation, node)),
+                            "Handedness: right is clockwise for who looks along the backward ray"));
     rows.push_back(number("light J11", node.arriving->xx, "", help, s.s0));
     rows.push_back(number("light J22", node.arriving->yy, "", help, s.s0));
     rows.push_back(complex("light J12", node.arriving->xy, help, s.s0));
@@ -91,14 +87,14 @@ PageGroup make_branch_page(const Plan& plan, const Explanation& explanation, int
     const RayTreeNode& node = node_of(explanation, branch);
     PageGroup group{fmt::format("Branch {}", branch), {}};
     std::vector<PageRow>& rows = group.rows;
-    rows.push_back(words("interaction",
-                         branch_title(plan, explanation, branch, is_total_reflection(plan, explanation, branch)),
-                         "Interaction, mode and medium"));
-    if (node.reason) rows.push_back(words("ended", name_of(*node.reason), help_of(*node.reason)));
+    rows.push_back(word_row("interaction",
+                            branch_title(plan, explanation, branch, is_total_reflection(plan, explanation, branch)),
+                            "Interaction, mode and medium"));
+    if (node.reason) rows.push_back(word_row("ended", name_of(*node.reason), help_of(*node.reason)));
     if (node.arrived) {
-        rows.push_back(words("meets",
-                             fmt::format("{}, facet {}", plan.body_name(node.crossing.body), node.crossing.facet),
-                             "Object and facet"));
+        rows.push_back(word_row("meets",
+                                fmt::format("{}, facet {}", plan.body_name(node.crossing.body), node.crossing.facet),
+                                "Object and facet"));
         rows.push_back(vector("point", node.end.origin, "Where it meets it, scene units"));
         rows.push_back(number("angle", degrees(node.angle), "\u00b0", "Of incidence, between ray and normal"));
     }
@@ -118,7 +114,7 @@ PageGroup make_branch_page(const Plan& plan, const Explanation& explanation, int
     rows.push_back(number("share S3", node.share.s3, "", share_help, node.share.s0));
     add_matrix(rows, node);
     add_arriving(rows, explanation, node);
-    if (node.estimated) rows.push_back(words("estimated", "random tail", "Rescaled to stand for all that was open"));
+    if (node.estimated) rows.push_back(word_row("estimated", "random tail", "Rescaled to stand for all that was open"));
     return group;
 }
 

@@ -53,10 +53,6 @@ PageRow exact_row(std::string name, double value, std::string_view unit, std::st
     return row(std::move(name), value, std::nullopt, 0.0, unit, help);
 }
 
-PageRow words(std::string name, const std::string& value, std::string_view help) {
-    return {std::move(name), value, {}, value, help};
-}
-
 PageRow axis_row(std::string name, const DVec3& v, std::string_view help) {
     return {std::move(name), vector_text(v, 1.0), {}, fmt::format("({:.17g}, {:.17g}, {:.17g})", v.x, v.y, v.z), help};
 }
@@ -132,13 +128,13 @@ PageGroup frame_group(const Document& document, const std::optional<CameraRay>& 
         const PictureOrigin& origin = document.picture().origin;
         for (const char* name : {"frame", "azimuthZero", "timeSign"})
             if (const auto found = attributes.find(name); found != attributes.end())
-                group.rows.push_back(words(name, found->second, "What the file says"));
+                group.rows.push_back(word_row(name, found->second, "What the file says"));
         if (group.rows.empty())
             group.rows.push_back(
-                words("frame", "the file says nothing; taken as camera frame", "x image right, y image up"));
+                word_row("frame", "the file says nothing; taken as camera frame", "x image right, y image up"));
         if (origin != PictureOrigin{})
-            group.rows.push_back(words("numbers", origin.convention.text(),
-                                       "What the numbers of the file are taken for; the Picture panel changes it"));
+            group.rows.push_back(word_row("numbers", origin.convention.text(),
+                                          "What the numbers of the file are taken for; the Picture panel changes it"));
     }
     if (angle != 0.0)
         group.rows.push_back(
@@ -258,7 +254,7 @@ PageGroup making_group(const PixelReadout& readout, const BandReadout& at) {
             exact_row("failures", readout.failures.value_or(0), "", "Samples whose arithmetic failed"));
     if (group.rows.empty())
         group.rows.push_back(
-            words("samples", "the file says nothing", "Nor what was left out, nor how well it is known"));
+            word_row("samples", "the file says nothing", "Nor what was left out, nor how well it is known"));
     return group;
 }
 

@@ -25,6 +25,11 @@ struct PageRow {
     std::string exact_bar{};  ///< "[low, high]" with 17 digits; empty as `bar`
 };
 
+/// A row of words, which a copy takes as they are.
+inline PageRow word_row(std::string name, const std::string& words, std::string_view help) {
+    return {std::move(name), words, {}, words, help};
+}
+
 /// Entries of the matrix in as many digits as fit beside each other, "?" for a part that was not measured; empty unless
 /// they are numbers.
 struct MatrixTexts {

@@ -13,7 +13,7 @@ namespace pol {
 namespace {
 
 /// A region of a picture that is being rendered is looked at again so often.
-constexpr double renewed_after_s = 0.5;
+constexpr double counted_again_after_s = 0.5;
 
 void draw_group(const PageGroup& group) {
     if (group.rows.empty()) return;
@@ -49,7 +49,7 @@ void RegionPanel::draw(const Session& session, Wishes& wishes) {
     const RegionPageKey key = region_page_key(session);
     const bool only_grew = key_ && key_->layout == key.layout && key_->region.x0 == key.region.x0 &&
                            key_->region.y1 == key.region.y1 && session.current()->tracing();
-    if (key_ != key && (!only_grew || ImGui::GetTime() - made_s_ > renewed_after_s)) {
+    if (key_ != key && (!only_grew || ImGui::GetTime() - made_s_ > counted_again_after_s)) {
         page_ = make_region_page(session);
         key_ = key;
         made_s_ = ImGui::GetTime();

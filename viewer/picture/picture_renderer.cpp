@@ -26,9 +26,48 @@
 
 namespace pol {
 
+using Float2 = std::array<float, 2>;
+
+/// What a program is made for; the rest are uniforms.
+struct ProgramVariant {
+    Quantity quantity{};
+    bool over_intensity = false;
+    bool is_difference = false;  ///< minus a reference: worked out in double and uploaded
+    bool is_reduced = false;     ///< several pixels of the picture under one of the screen
+    friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
+    friend bool operator<(const ProgramVariant& a, const ProgramVariant& b) {
+        return std::tie(a.quantity, a.over_intensity, a.is_difference, a.is_reduced) <
+               std::tie(b.quantity, b.over_intensity, b.is_difference, b.is_reduced);
+    }
+};
+
+/// All that a drawn view depends on but for the textures' contents.
+struct DrawnView {
+    int width = 0;
+    int height = 0;
+    Float2 origin{};
+    float zoom = 1.0F;
+    float hatch = 1.0F;
+    ProgramVariant variant;
+    ColorScale scale{};
+    bool fades = true;
+    bool fades_by_bar = false;
+    bool black_is_none = false;
+    float low = 0.0F;
+    float high = 1.0F;
+    float brightest = 0.0F;
+    float d65 = 1.0F;
+    bool is_measured = true;
+    bool has_polarimeter = false;
+    Float4 polarimeter_row{};
+    float gain = 1.0F;
+    float offset = 0.0F;
+    float gamma = 1.0F;
+    friend bool operator==(const DrawnView&, const DrawnView&) = default;
+};
+
 namespace {
 
-using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 
 constexpr Float4 background{0.1F, 0.1F, 0.1F, 1.0F};
@@ -81,20 +120,7 @@ void write_scale(FloatTexture& texture, ColorScale scale) {
     texture.write({0, 1, scale_nodes, 2}, encoded_too);
 }
 
-/// What a program is made for; the rest are uniforms.
-struct Variant {
-    Quantity quantity{};
-    bool over_intensity = false;
-    bool is_difference = false;  ///< minus a reference: worked out in double and uploaded
-    bool is_reduced = false;     ///< several pixels of the picture under one of the screen
-    friend bool operator==(const Variant&, const Variant&) = default;
-    friend bool operator<(const Variant& a, const Variant& b) {
-        return std::tie(a.quantity, a.over_intensity, a.is_difference, a.is_reduced) <
-               std::tie(b.quantity, b.over_intensity, b.is_difference, b.is_reduced);
-    }
-};
-
-Result<Program> program_for(const Variant& variant) {
+Result<Program> program_for(const ProgramVariant& variant) {
     const auto is = [](bool value) { return value ? "true" : "false"; };
     const std::string chosen = std::string("const bool over_intensity = ") + is(variant.over_intensity) +
                                ";\nconst bool is_difference = " + is(variant.is_difference) +
@@ -115,42 +141,17 @@ Result<Program> program_for(const Variant& variant) {
     return program;
 }
 
-/// All that a drawn view depends on but for the textures' contents.
-struct Drawn {
-    int width = 0;
-    int height = 0;
-    Float2 origin{};
-    float zoom = 1.0F;
-    float hatch = 1.0F;
-    Variant variant;
-    ColorScale scale{};
-    bool fades = true;
-    bool fades_by_bar = false;
-    bool black_is_none = false;
-    float low = 0.0F;
-    float high = 1.0F;
-    float brightest = 0.0F;
-    float d65 = 1.0F;
-    bool is_measured = true;
-    bool has_polarimeter = false;
-    Float4 polarimeter_row{};
-    float gain = 1.0F;
-    float offset = 0.0F;
-    float gamma = 1.0F;
-    friend bool operator==(const Drawn&, const Drawn&) = default;
-};
-
 ShownPicture shown_on(const ShownSide& side, const Session& session) {
     return {side.document->picture(), session.polarimeter(), session.view().convention};
 }
 
-Drawn what_to_draw(const Session& session, const ShownSide& side, int width, int height, double pixel_ratio) {
+DrawnView what_to_draw(const Session& session, const ShownSide& side, int width, int height, double pixel_ratio) {
     const ViewSettings& view = session.view();
     const StokesImage& picture = side.document->picture();
     const MapScale look = map_look(session);
     const auto d65 = white_of(picture.bands[side.band]);
     const auto first_row = session.polarimeter().mueller().m[0];
-    Drawn drawn;
+    DrawnView drawn;
     drawn.width = width;
     drawn.height = height;
     const ViewTransform placed = of_part(session.transform(), corner_of(picture));
@@ -176,7 +177,7 @@ Drawn what_to_draw(const Session& session, const ShownSide& side, int width, int
     return drawn;
 }
 
-void set_uniforms(const Program& program, const Drawn& drawn) {
+void set_uniforms(const Program& program, const DrawnView& drawn) {
     program.set("viewport_height", static_cast<float>(drawn.height));
     program.set("origin", drawn.origin);
     program.set("zoom", drawn.zoom);
@@ -222,7 +223,7 @@ void add_strips(std::deque<TileRect>& left, const TileRect& rect, const TileRect
 
 struct PictureRenderer::Gpu {
     PictureSide side{};
-    std::map<Variant, Program> programs;  ///< made when first needed
+    std::map<ProgramVariant, Program> programs;  ///< made when first needed
     VertexArrayName no_vertices;
     RenderTarget target{GL_RGBA8};
     FloatTexture stokes;
@@ -243,7 +244,7 @@ struct PictureRenderer::Gpu {
     std::optional<std::uint64_t> difference_version;  ///< of the session's shown map; none: no difference
     std::optional<ColorScale> scale_shown;
     /// What the target shows; none: not what the textures hold now.
-    std::optional<Drawn> drawn;
+    std::optional<DrawnView> drawn;
 };
 
 PictureRenderer::PictureRenderer(std::unique_ptr<Gpu> gpu) : gpu_(std::move(gpu)) {}
@@ -253,7 +254,7 @@ PictureRenderer::~PictureRenderer() = default;
 Result<std::unique_ptr<PictureRenderer>> PictureRenderer::create(PictureSide side) {
     auto gpu = std::make_unique<Gpu>();
     gpu->side = side;
-    const Variant first{};
+    const ProgramVariant first{};
     POL_TRY(auto program, program_for(first));
     gpu->programs.emplace(first, std::move(program));
     return std::unique_ptr<PictureRenderer>(new PictureRenderer(std::move(gpu)));
@@ -362,7 +363,7 @@ std::uint32_t PictureRenderer::render(const Session& session, int width, int hei
         RenderTarget::end();
         return gpu_->target.texture();
     }
-    const Drawn drawn = what_to_draw(session, *side, width, height, pixel_ratio);
+    const DrawnView drawn = what_to_draw(session, *side, width, height, pixel_ratio);
     if (gpu_->drawn == drawn) return gpu_->target.texture();
     gpu_->drawn = drawn;
     if (!gpu_->programs.contains(drawn.variant)) {

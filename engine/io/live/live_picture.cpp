@@ -14,9 +14,6 @@
 namespace pol {
 namespace {
 
-constexpr std::array<double Stokes<double>::*, 4> components{&Stokes<double>::s0, &Stokes<double>::s1,
-                                                             &Stokes<double>::s2, &Stokes<double>::s3};
-
 /// One "key=value" of a name; false if it is none.
 bool read_wish(std::string_view wish, LiveName& name) {
     StokesConvention convention = name.convention.value_or(StokesConvention{});
@@ -49,7 +46,7 @@ void apply_band(const tev::UpdateImage& update, const Sources& sources, std::siz
             Stokes<double>& ours = image.stokes[band * image.pixel_count() + image.pixel(x, y)];
             Stokes<double> theirs = is_ours ? ours : convention.from_ours(ours);
             for (std::size_t s = 0; s < sources.size(); ++s)
-                if (sources[s]) theirs.*components[s] = static_cast<double>(update.at(*sources[s], i));
+                if (sources[s]) theirs.*stokes_components[s] = static_cast<double>(update.at(*sources[s], i));
             ours = is_ours ? theirs : convention.to_ours(theirs);
         }
     }
@@ -84,7 +81,7 @@ LivePicture::LivePicture(const tev::CreateImage& message)
     if (found) {
         origin_ = found.value().origin;
         for (const BandChannels& one : found.value().bands) {
-            for (unsigned s = 0; s < components.size(); ++s) {
+            for (unsigned s = 0; s < stokes_components.size(); ++s) {
                 const auto channel = channels_.find(one.names[s]);
                 if (one.band.known.has(s) && channel != channels_.end()) channel->second = Slot{bands_.size(), s};
             }

@@ -10,9 +10,6 @@
 namespace pol {
 namespace {
 
-constexpr std::array<double Stokes<double>::*, 4> components{&Stokes<double>::s0, &Stokes<double>::s1,
-                                                             &Stokes<double>::s2, &Stokes<double>::s3};
-
 /// What each band adds to R, G and B; empty if the picture has no color.
 std::vector<Rgb> weights_of(const std::vector<Band>& bands) {
     if (const auto places = rgb_bands(bands)) {
@@ -34,7 +31,7 @@ std::string suffix_of(const std::vector<Band>& bands, const Band& band) {
 std::vector<std::string> live_channels(const std::vector<Band>& bands) {
     std::vector<std::string> names;
     if (!weights_of(bands).empty()) names = {"R", "G", "B"};
-    for (unsigned s = 0; s < components.size(); ++s)
+    for (unsigned s = 0; s < stokes_components.size(); ++s)
         for (const Band& band : bands)
             if (band.known.has(s)) names.push_back("S" + std::to_string(s) + suffix_of(bands, band));
     return names;
@@ -55,10 +52,10 @@ std::vector<float> live_planes(const StokesImage& image) {
             }
         }
     }
-    for (unsigned s = 0; s < components.size(); ++s)
+    for (unsigned s = 0; s < stokes_components.size(); ++s)
         for (std::size_t b = 0; b < image.bands.size(); ++b)
             for (std::size_t p = 0; p < pixels && image.bands[b].known.has(s); ++p)
-                planes.push_back(static_cast<float>(image.at(b, p).*components[s]));
+                planes.push_back(static_cast<float>(image.at(b, p).*stokes_components[s]));
     return planes;
 }
 

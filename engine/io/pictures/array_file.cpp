@@ -19,18 +19,18 @@ namespace pol {
 
 namespace {
 
-enum class Kind { none, npy, npz, png, fits };
+enum class ArrayKind { none, npy, npz, png, fits };
 
-Kind kind_of(const std::filesystem::path& path) {
+ArrayKind kind_of(const std::filesystem::path& path) {
     std::array<char, 10> bytes{};
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), bytes.size());
     const std::string_view begin(bytes.data(), static_cast<std::size_t>(file.gcount()));
-    if (begin.starts_with(npy_magic)) return Kind::npy;
-    if (begin.starts_with("PK\x03\x04") || begin.starts_with("PK\x05\x06")) return Kind::npz;
-    if (is_png(begin)) return Kind::png;
-    if (begin.starts_with("SIMPLE  =")) return Kind::fits;
-    return Kind::none;
+    if (begin.starts_with(npy_magic)) return ArrayKind::npy;
+    if (begin.starts_with("PK\x03\x04") || begin.starts_with("PK\x05\x06")) return ArrayKind::npz;
+    if (is_png(begin)) return ArrayKind::png;
+    if (begin.starts_with("SIMPLE  =")) return ArrayKind::fits;
+    return ArrayKind::none;
 }
 
 std::vector<std::filesystem::path> files_of(const PictureSource& source) {
@@ -46,25 +46,25 @@ Result<PictureReading> open(const PictureSource& source) {
     if (!source.angles_deg.empty()) return open_angles(source);
     const bool is_camera_layout = source.layout == "four-angles" || source.layout == "mosaic" ||
                                   source.layout == "color-mosaic" || source.layout == "photograph";
-    const Kind kind = kind_of(source.path());
-    if (!source.layout.empty() && is_camera_layout != (kind == Kind::png))
+    const ArrayKind kind = kind_of(source.path());
+    if (!source.layout.empty() && is_camera_layout != (kind == ArrayKind::png))
         return usage_error(fmt::format("the layout '{}' is not one of {}", source.layout,
-                                       kind == Kind::png ? "photographs" : "arrays"),
-                           kind == Kind::png ? "of photographs: four-angles, mosaic, color-mosaic, photograph"
-                                             : "of arrays: hwc, chw, tensor, bgr, nhwc, hwnc");
+                                       kind == ArrayKind::png ? "photographs" : "arrays"),
+                           kind == ArrayKind::png ? "of photographs: four-angles, mosaic, color-mosaic, photograph"
+                                                  : "of arrays: hwc, chw, tensor, bgr, nhwc, hwnc");
     switch (kind) {
-        case Kind::npy:
+        case ArrayKind::npy:
             return open_npy(source.path(), source.layout);
-        case Kind::npz:
+        case ArrayKind::npz:
             return open_npz(source.path(), source.layout);
-        case Kind::png:
+        case ArrayKind::png:
             return open_png(source);
-        case Kind::fits:
+        case ArrayKind::fits:
             if (!source.layout.empty())
                 return usage_error(fmt::format("the layout '{}' is none of FITS, which has one", source.layout),
                                    "leave --layout out");
             return open_fits(source.path());
-        case Kind::none:
+        case ArrayKind::none:
             break;
     }
     return input_error("is neither an array nor a photograph", "npy, npz, PNG and FITS are read");
@@ -81,7 +81,7 @@ Error located(const PictureSource& source, Error error) {
 bool is_array_file(const PictureSource& source) {
     const auto files = files_of(source);
     return !files.empty() &&
-           std::all_of(files.begin(), files.end(), [](const auto& file) { return kind_of(file) != Kind::none; });
+           std::all_of(files.begin(), files.end(), [](const auto& file) { return kind_of(file) != ArrayKind::none; });
 }
 
 std::span<const PictureLayout> array_layouts() {

@@ -268,8 +268,6 @@ Result<ArrayLayout> plane_layout(const ArrayShape& shape, unsigned component) {
 
 Result<Done> read_numbers(ByteSource& bytes, const NumberFormat& format, const ArrayLayout& layout, bool fortran_order,
                           StokesImage& image, const ReadProgress& progress) {
-    constexpr std::array<double Stokes<double>::*, 4> components{&Stokes<double>::s0, &Stokes<double>::s1,
-                                                                 &Stokes<double>::s2, &Stokes<double>::s3};
     std::vector<const std::vector<AxisStep>*> axes;  // the fastest first
     for (const std::vector<AxisStep>& axis : layout.axes) {
         POL_EXPECTS(!axis.empty());
@@ -293,8 +291,8 @@ Result<Done> read_numbers(ByteSource& bytes, const NumberFormat& format, const A
                 to.value += step.value;
                 to.component += step.component;
             }
-            if (to.component < components.size())
-                image.stokes[to.value].*components[to.component] = format.at(chunk.data() + i * format.bytes());
+            if (to.component < stokes_components.size())
+                image.stokes[to.value].*stokes_components[to.component] = format.at(chunk.data() + i * format.bytes());
             for (std::size_t axis = 0; axis < axes.size() && ++at[axis] == axes[axis]->size(); ++axis) at[axis] = 0;
         }
         done += numbers;

@@ -12,16 +12,13 @@
 #include <utility>
 
 #include "io/pictures/exr_channel.h"
+#include "io/pictures/picture_reading.h"
 
 namespace pol::channels {
 namespace {
 
 constexpr std::array<std::string_view, 4> components{"S0", "S1", "S2", "S3"};
 constexpr std::array<std::string_view, 3> colors{"R", "G", "B"};
-
-Error input_error(std::string what, std::string hint) {
-    return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
-}
 
 bool has(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();

@@ -16,15 +16,12 @@
 
 #include "io/pictures/convention_text.h"
 #include "io/pictures/exr_picture.h"
+#include "io/pictures/picture_reading.h"
 
 namespace pol {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error input_error(const fs::path& path, std::string what, std::string hint) {
-    return Error{ErrorKind::input, std::move(what), Place{path.string()}, {}, std::move(hint)};
-}
 
 /// The files of S0 to S3; empty where not measured.
 struct FourFiles {
@@ -32,8 +29,8 @@ struct FourFiles {
     std::string layout;  ///< for PictureOrigin
 };
 
-constexpr std::array<std::string_view, 4> letters{"I", "Q", "U", "V"};
-constexpr std::array<std::string_view, 4> numbers{"S0", "S1", "S2", "S3"};
+constexpr std::array<std::string_view, 4> lettered_ends{"I", "Q", "U", "V"};
+constexpr std::array<std::string_view, 4> numbered_ends{"S0", "S1", "S2", "S3"};
 
 std::string lower_case(std::string_view text) {
     std::string lower;
@@ -44,7 +41,7 @@ std::string lower_case(std::string_view text) {
 /// The four names of which `path` is one: x_I.exr, x_S0.exr or x.s0.exr, in any case; none if it has no such ending.
 std::optional<std::array<fs::path, 4>> companions(const fs::path& path) {
     const std::string stem = path.stem().string();
-    for (const auto& [marks, separators] : {std::pair{numbers, "_."}, std::pair{letters, "_"}}) {
+    for (const auto& [marks, separators] : {std::pair{numbered_ends, "_."}, std::pair{lettered_ends, "_"}}) {
         for (const std::string_view mark : marks) {
             if (stem.size() < mark.size() + 2) continue;
             const std::string_view end = std::string_view(stem).substr(stem.size() - mark.size());
@@ -70,8 +67,8 @@ Result<std::optional<FourFiles>> found_beside(const fs::path& path, bool is_cert
     if (!paths) {
         if (!is_certain) return std::optional<FourFiles>();
         return input_error(
-            path, "is one of four files by --layout, but its name does not end in _I, _Q, _U, _V or _S0 to _S3",
-            "name the files: --stokes s0=FILE,s1=FILE,s2=FILE,s3=FILE");
+            "is one of four files by --layout, but its name does not end in _I, _Q, _U, _V or _S0 to _S3",
+            "name the files: --stokes s0=FILE,s1=FILE,s2=FILE,s3=FILE", path);
     }
     POL_TRY(const exr::Label label, exr::read_label(path));
     if (!find_component_channels(label.channels) && !is_certain) return std::optional<FourFiles>();
@@ -82,9 +79,9 @@ Result<std::optional<FourFiles>> found_beside(const fs::path& path, bool is_cert
     if (count == 1 && !is_wave_tracer && !is_certain) return std::optional<FourFiles>();
     if (count < 4) {
         const auto missing = std::find_if_not(paths->begin(), paths->end(), is_there);
-        return input_error(path,
-                           fmt::format("is one of four files, of which {} is missing", missing->filename().string()),
-                           "put it beside this file, or name those that are there: --stokes s0=FILE,s1=FILE,s2=FILE");
+        return input_error(fmt::format("is one of four files, of which {} is missing", missing->filename().string()),
+                           "put it beside this file, or name those that are there: --stokes s0=FILE,s1=FILE,s2=FILE",
+                           path);
     }
     return std::optional(FourFiles{*paths, is_wave_tracer ? "wave_tracer, four files" : "four files"});
 }
@@ -130,8 +127,8 @@ Result<std::optional<StokesConvention>> convention_of_files(const FourFiles& fil
         POL_TRY(const exr::Label label, exr::read_label(path));
         if (text.value_or(label.convention) != label.convention)
             return input_error(
-                path, fmt::format("has its numbers in another convention than {}", files.paths[0].filename().string()),
-                "the files of a picture have one convention: convert it again");
+                fmt::format("has its numbers in another convention than {}", files.paths[0].filename().string()),
+                "the files of a picture have one convention: convert it again", path);
         text = label.convention;
     }
     return convention_of(text.value_or(""));
@@ -148,12 +145,11 @@ Result<PictureHeader> header_of(const FourFiles& files) {
         const std::string s0 = files.paths[0].filename().string();
         if (one.width != whole.width || one.height != whole.height)
             return input_error(
-                path,
                 fmt::format("has {} x {} pixels, {} {} x {}", one.width, one.height, s0, whole.width, whole.height),
-                "the files of a picture have one size");
+                "the files of a picture have one size", path);
         if (!same_bands(one.bands, whole.bands))
-            return input_error(path, fmt::format("does not have the channels of {}", s0),
-                               "each file has R, G and B, or one channel");
+            return input_error(fmt::format("does not have the channels of {}", s0),
+                               "each file has R, G and B, or one channel", path);
         known = known.with(s);
         if (s == 3) is_left_handed = one.origin.convention.left_handed;
     }
@@ -193,9 +189,8 @@ Result<StokesImage> read_four(const FourFiles& files, const ReadProgress& progre
         done += 1.0;
         POL_TRY(const StokesImage one, exr::read_one(files.paths[s], one_component, share));
         if (one.stokes.size() != whole.stokes.size() || one.left != whole.left || one.top != whole.top)
-            return input_error(files.paths[s],
-                               fmt::format("does not lie where {} does", files.paths[0].filename().string()),
-                               "the files of a picture have one data window");
+            return input_error(fmt::format("does not lie where {} does", files.paths[0].filename().string()),
+                               "the files of a picture have one data window", files.paths[s]);
         add_component(whole, one, s);
     }
     whole.bands = std::move(header.bands);

@@ -13,13 +13,10 @@
 #include "io/pictures/exr_channel.h"
 #include "io/pictures/exr_origin.h"
 #include "io/pictures/exr_parts.h"
+#include "io/pictures/picture_reading.h"
 
 namespace pol::exr {
 namespace {
-
-Error input_error(std::string what, std::string hint) {
-    return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
-}
 
 /// `names` ascend.
 bool has(const std::vector<std::string>& names, const std::string& name) {

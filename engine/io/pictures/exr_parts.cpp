@@ -15,10 +15,6 @@
 namespace pol::exr {
 namespace {
 
-Error input_error(std::string what, std::string hint) {
-    return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
-}
-
 std::string window_text(const Imath::Box2i& window) {
     return fmt::format("({}, {}) to ({}, {})", window.min.x, window.min.y, window.max.x, window.max.y);
 }

@@ -28,14 +28,10 @@
 #include "io/pictures/exr_parts.h"
 #include "io/pictures/exr_picture.h"
 #include "io/pictures/exr_planes.h"
+#include "io/pictures/picture_reading.h"
 
 namespace pol {
 namespace {
-
-/// A failure inside this file, which has no path yet.
-Error input_error(std::string what, std::string hint = {}) {
-    return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
-}
 
 /// Most by which OpenEXR shrinks the numbers of a picture: zlib by 1032, PIZ by 410; the DWA kinds keep one of 64
 /// numbers and then use zlib.
@@ -159,7 +155,7 @@ Result<StokesImage> read_planes(Imf::MultiPartInputFile& file, Plan plan, const 
         plane.resize(pixels);
         reader.add_count(name, plane);
     }
-    if (!reader.read(file, progress)) return input_error("was stopped");
+    if (!reader.read(file, progress)) return was_stopped();
     if (layout.stokes.may_be_mono) merge_equal_colors(image);
     if (layout.convention)
         for (Stokes<double>& s : image.stokes) s = layout.convention->to_ours(s);

@@ -20,6 +20,7 @@
 
 #include "core/contract.h"
 #include "core/result.h"
+#include "core/version.h"
 #include "io/files/output_file.h"
 #include "io/pictures/exr_file.h"
 #include "io/pictures/exr_layout.h"
@@ -122,7 +123,7 @@ Imf::Header header_of(const StokesImage& image, const Channels& channels) {
         "camera: x = image right, y = image up, k = towards the camera, transverse to the pixel's ray");
     set(prefix + "azimuthZero", "x axis (image right), counter-clockwise as seen by the camera");
     set(prefix + "timeSign", "exp(-i omega t)");
-    set(prefix + "version", POL_VERSION);
+    set(prefix + "version", program_version());
     for (const auto& [name, text] : image.attributes) set(prefix + name, text);
     for (const auto& [name, text] : exr::own_attributes(image)) set(name, text);
     const std::vector<double> wavelengths = wavelengths_of(image.bands);

@@ -13,9 +13,6 @@
 
 namespace pol {
 
-inline constexpr std::array<double Stokes<double>::*, 4> stokes_components{&Stokes<double>::s0, &Stokes<double>::s1,
-                                                                           &Stokes<double>::s2, &Stokes<double>::s3};
-
 /// A picture on its way out: its numbers in the convention of the file, and the sentences of what is lost.
 struct OutgoingPicture {
     const StokesImage& image;

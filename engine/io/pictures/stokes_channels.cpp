@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "io/pictures/channel_rules.h"
+#include "io/pictures/picture_reading.h"
 
 namespace pol {
 namespace {
@@ -31,10 +32,6 @@ constexpr std::array<Rule, 6> rules{{{"spectral", channels::spectral},
                                      {"named", channels::named},
                                      {"bare", channels::bare},
                                      {"plain", channels::plain, true}}};
-
-Error input_error(std::string what, std::string hint) {
-    return Error{ErrorKind::input, std::move(what), {}, {}, std::move(hint)};
-}
 
 Error nothing_fits(const std::vector<std::string>& names) {
     return input_error(fmt::format("no Stokes channels; found {}", channels::some_of(names)),

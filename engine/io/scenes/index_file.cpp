@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t max_file_bytes = 16u << 20u;
+constexpr std::uintmax_t max_index_file_bytes = 16u << 20u;
 
 /// A word of a scalar, with its place in the file (lines and columns from 1).
 struct Word {
@@ -342,7 +342,7 @@ Result<RefractiveIndex> load_index(const std::string& name_or_path, const fs::pa
         if (!is_path(name_or_path)) return unknown_record(name_or_path, folder, "");
     }
 
-    POL_TRY(const auto text, read_input_file(path, max_file_bytes));
+    POL_TRY(const auto text, read_input_file(path, max_index_file_bytes));
     if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
         return Error{ErrorKind::input,
                      "is empty",

@@ -14,7 +14,7 @@
 namespace pol {
 namespace {
 
-constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 30u;
+constexpr std::uintmax_t max_texture_file_bytes = std::uintmax_t{1} << 30u;
 constexpr std::uint64_t max_pixels = std::uint64_t{64} << 20u;
 
 /// The stored precision of textures.
@@ -46,7 +46,7 @@ Result<RgbImage> load_texture(const std::filesystem::path& path) {
     const auto error = [&](std::string what, std::string hint) {
         return Error{ErrorKind::input, std::move(what), {path.string(), 0, 0}, {}, std::move(hint)};
     };
-    POL_TRY(const auto bytes, read_input_file(path, max_file_bytes));
+    POL_TRY(const auto bytes, read_input_file(path, max_texture_file_bytes));
     const std::string& file = bytes;
     if (!is_png(file)) {
         return error("is not a PNG picture", "convert the texture to PNG, 8 or 16 bits");

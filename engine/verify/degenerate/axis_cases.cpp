@@ -24,7 +24,6 @@ constexpr double around = 0.7;  // some azimuth of the axis, radians
 
 std::vector<DegenerateCase> axis_cases() {
     const InterfaceResults waves = InterfaceResults::waves;
-    const std::string of_waves = "power and ray of each wave";
     return {
         {"along-axis", "On and near the optic axis the pair of modes acts as one wave of index n_o",
          "angle between wave and optic axis [rad]", "sum of the fields of o and e, both sides", same_formulas,

@@ -24,6 +24,8 @@ std::vector<DegenerateCase> pair_cases();
 /// Orientations that a case of formulas is tried in.
 constexpr std::size_t usual_turns = 8;
 inline const std::string same_formulas = "the same formulas with 113 bits";
+inline const std::string of_waves = "power and ray of each wave";
+inline const std::string s0_s1 = "S0 and S1 of one rendered ray";
 
 inline const Dielectric<double> air = make_isotropic(1.0);
 inline Dielectric<double> calcite(const DVec3& axis) {

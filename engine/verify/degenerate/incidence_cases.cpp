@@ -39,10 +39,7 @@ InterfaceSetup grazing(const Dielectric<double>& from, const Dielectric<double>&
     return {from, to, face_normal, {std::cos(above), 0.0, std::sin(above)}};
 }
 
-const std::string of_waves = "power and ray of each wave";
 const std::string from_critical = "distance to the critical angle [rad]";
-constexpr InterfaceResults waves = InterfaceResults::waves;
-
 /// One side of a critical angle: `sense` -1 below it, +1 beyond.
 DegenerateCase critical_case(std::string name, std::string sentence, const Dielectric<double>& from,
                              const Dielectric<double>& to, double critical, double sense) {
@@ -53,7 +50,8 @@ DegenerateCase critical_case(std::string name, std::string sentence, const Diele
             same_formulas,
             and_zero(decades(-1, -16, 2)),
             [=](double distance, const Turn& turn) {
-                return interface_experiment(at_angle(from, to, critical + sense * distance, turn), waves);
+                return interface_experiment(at_angle(from, to, critical + sense * distance, turn),
+                                            InterfaceResults::waves);
             },
             usual_turns};
 }
@@ -97,7 +95,7 @@ std::vector<DegenerateCase> incidence_cases() {
          "is undefined",
          "angle of incidence [rad]", of_waves, same_formulas, and_zero(decades(-1, -17, 2)),
          [=](double angle, const Turn& turn) {
-             return interface_experiment(at_angle(air, crystal, angle, turn), waves);
+             return interface_experiment(at_angle(air, crystal, angle, turn), InterfaceResults::waves);
          },
          usual_turns},
         {"normal-from-inside",
@@ -105,7 +103,7 @@ std::vector<DegenerateCase> incidence_cases() {
          "straight",
          "angle of incidence [rad]", of_waves, same_formulas, and_zero(decades(-1, -17, 2)),
          [=](double angle, const Turn& turn) {
-             return interface_experiment(at_angle(crystal, air, angle, turn), waves);
+             return interface_experiment(at_angle(crystal, air, angle, turn), InterfaceResults::waves);
          },
          usual_turns},
         {"grazing-glass", "Grazing light enters glass in proportion to the cosine", above, transmittance, same_formulas,
@@ -143,7 +141,7 @@ std::vector<DegenerateCase> incidence_cases() {
          "angle of the wave normal behind the face [rad]", of_waves, same_formulas, and_zero(decades(-1, -16, 2)),
          [](double angle, const Turn& turn) {
              const auto strong = make_uniaxial(1.5, 2.5, DVec3(1.0, 0.0, 1.0));
-             return interface_experiment(at_angle(strong, air, 0.5 * pi + angle, turn), waves);
+             return interface_experiment(at_angle(strong, air, 0.5 * pi + angle, turn), InterfaceResults::waves);
          },
          usual_turns},
         {"mirror-frames",

@@ -179,7 +179,6 @@ std::vector<double> whole_numbers(int first, int last, int factor, int step) {
     return numbers;
 }
 
-const std::string s0_s1 = "S0 and S1 of one rendered ray";
 const std::string of_stack = "closed form: incoherent passes of parallel faces";
 
 }  // namespace

@@ -145,8 +145,6 @@ Experiment range_ends(double distance) {
     return experiment;
 }
 
-const std::string s0_s1 = "S0 and S1 of one rendered ray";
-
 }  // namespace
 
 std::vector<DegenerateCase> scene_cases() {

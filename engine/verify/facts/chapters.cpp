@@ -69,6 +69,10 @@ Tolerance rounding(double epsilons, std::string_view of) {
     return {epsilons * epsilon, fmt::format("rounding of {}: {} epsilon", of, epsilons)};
 }
 
+Tolerance one_crystal_surface() {
+    return rounding(60.0, "one surface of a crystal");
+}
+
 Tolerance residual_bound(double residual, double slope, const Tolerance& otherwise) {
     return {slope * residual + otherwise.value, fmt::format("{} x residual {} + {}", slope, residual, otherwise.from)};
 }

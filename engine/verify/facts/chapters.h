@@ -58,6 +58,8 @@ double azimuth_degrees(const Stokes<double>& s);
 // order 1, with slopes of order 1 in the angle, which a camera makes good to a few epsilon.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 Tolerance rounding(double epsilons, std::string_view of);
+/// 60 epsilon, for one surface of a crystal.
+Tolerance one_crystal_surface();
 /// Light that was not traced, at most `residual` of the lamp's, moves the reading by up to `slope` times as much.
 Tolerance residual_bound(double residual, double slope, const Tolerance& otherwise);
 /// Half of the last digit that the source prints.

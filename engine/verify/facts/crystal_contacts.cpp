@@ -13,7 +13,6 @@ namespace pol::verify {
 
 namespace {
 
-const Tolerance one_surface = rounding(60.0, "one surface of a crystal");
 const Tolerance four_surfaces = rounding(240.0, "four surfaces of crystals");
 const Tolerance nothing{std::pow(60.0 * epsilon, 2), "amplitude of 60 epsilon, squared"};
 
@@ -43,10 +42,6 @@ DVec2 contact_shares_of_o(double alpha) {
 Measurement share_of(const char* branch) {
     return [branch](const Explanation& e) { return share(e, branch); };
 }
-Measurement kept_by(const char* child, const char* parent) {
-    return [child, parent](const Explanation& e) { return kept(e, child, parent); };
-}
-
 Fact huygens() {
     Fact fact{"T26", "Huygens' two plates: four images, bright as cos^2 and sin^2 of the angle between their sections.",
               "Huygens 1690 with Fresnel's losses; in contact E_t = 2 (Y1 + Y2)^-1 Y1 E_i"};
@@ -119,11 +114,11 @@ Fact crossed_plates() {
                      box("b", {8.0, 8.0, 0.5}, {0.0, 0.0, -0.75}, "lower") +
                      lamp("lamp", {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0}, 20.0));
     const double seam = std::pow((n_o - n_e) / (n_o + n_e), 2);
-    expect(fact, view, "o reflected at the seam", seam, one_surface, kept_by("To Ro", "To"));
-    expect(fact, view, "o to e", 1.0 - seam, one_surface, kept_by("To Te", "To"));
+    expect(fact, view, "o reflected at the seam", seam, one_crystal_surface(), kept_by("To Ro", "To"));
+    expect(fact, view, "o to e", 1.0 - seam, one_crystal_surface(), kept_by("To Te", "To"));
     expect(fact, view, "o to o", 0.0, nothing, kept_by("To To", "To"));
-    expect(fact, view, "e reflected at the seam", seam, one_surface, kept_by("Te Re", "Te"));
-    expect(fact, view, "e to o", 1.0 - seam, one_surface, kept_by("Te To", "Te"));
+    expect(fact, view, "e reflected at the seam", seam, one_crystal_surface(), kept_by("Te Re", "Te"));
+    expect(fact, view, "e to o", 1.0 - seam, one_crystal_surface(), kept_by("Te To", "Te"));
     expect(fact, view, "e to e", 0.0, nothing, kept_by("Te Te", "Te"));
     // Incoherent passes through parallel lossless surfaces: 1/T - 1 is the sum of R/(1 - R).
     const auto odds = [](double r) { return r / (1.0 - r); };

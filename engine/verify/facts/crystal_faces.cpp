@@ -2,7 +2,6 @@
 // T30 to T34, T38 and T39: single faces of a crystal, and conservation.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/units.h"
 #include "verify/facts/chapters.h"
@@ -14,13 +13,7 @@ namespace pol::verify {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* oracle = "tests/optics/oracle.py (110 digits)";
-const Tolerance one_surface = rounding(60.0, "one surface of a crystal");
-
-Measurement kept_by(const char* child, const char* parent) {
-    return [child, parent](const Explanation& e) { return kept(e, child, parent); };
-}
 
 Fact brewster_angles() {
     Fact fact{"T30", "Calcite has a Brewster angle for every cut, where it reflects no p.",
@@ -38,8 +31,9 @@ Fact brewster_angles() {
             fact, row.name,
             camera_along(downward(row.i)) + picture() + "media: {crystal: " + calcite(row.axis) + "}\nobjects:\n" +
                 deep_block("crystal") + lamp("lamp", upward(row.i) * 10.0, -upward(row.i), 0.5));
-        expect(fact, view, "reflectance of p", 0.0, one_surface, of_pixel(p_share));
-        expect(fact, view, "reflectance of s", ClosedFresnel(row.n_s, row.i).R_s(), one_surface, of_pixel(s_share));
+        expect(fact, view, "reflectance of p", 0.0, one_crystal_surface(), of_pixel(p_share));
+        expect(fact, view, "reflectance of s", ClosedFresnel(row.n_s, row.i).R_s(), one_crystal_surface(),
+               of_pixel(s_share));
     }
     return fact;
 }
@@ -61,7 +55,7 @@ Fact end_of_the_e_sheet() {
     Fact fact{"T31", "Inside calcite, beyond the end of the e sheet, all power stays in the reflected o wave.",
               "PHYSICS.md 2.5: disc = 0 at k_t^2 = eps_e (2 eps_o + eps_e)/(eps_o + 2 eps_e)"};
     const std::size_t steep = add_view(fact, "o at 75 degrees", inside_calcite(radians(75.0)));
-    expect(fact, steep, "o reflected as o", 1.0, one_surface, kept_by("To Ro", "To"));
+    expect(fact, steep, "o reflected as o", 1.0, one_crystal_surface(), kept_by("To Ro", "To"));
     const double end = std::sqrt(eps_e * (2.0 * eps_o + eps_e) / (eps_o + 2.0 * eps_e));
     const double last = std::asin(end / n_o);
     for (const auto& [name, step, rays] :
@@ -79,7 +73,7 @@ Fact conversion_by_total_reflection() {
     const Tolerance printed = last_printed_digit(7, oracle);
     expect(fact, view, "o to o", 0.6648153, printed, kept_by("To Ro", "To"));
     expect(fact, view, "o to e", 0.3351847, printed, kept_by("To Re", "To"));
-    expect(fact, view, "both", 1.0, one_surface,
+    expect(fact, view, "both", 1.0, one_crystal_surface(),
            [](const Explanation& e) { return kept(e, "To Ro", "To") + kept(e, "To Re", "To"); });
     expect(fact, view, "tangential k of the e wave", n_o * std::sin(radians(60.0)), rounding(16.0, "a wave vector"),
            [](const Explanation& e) {
@@ -160,7 +154,7 @@ Fact refraction_of_the_e_ray() {
     return fact;
 }
 
-Fact furnace() {
+Fact crystal_in_a_furnace() {
     Fact fact{"T38", "In uniform unpolarized surroundings a crystal is invisible: J = L/2, P = 0.",
               "PHYSICS.md 2.8: |S|^2 is doubly stochastic"};
     const std::size_t view =
@@ -205,7 +199,7 @@ Fact conservation() {
 
 std::vector<Fact> crystal_face_facts() {
     return {brewster_angles(), end_of_the_e_sheet(),      conversion_by_total_reflection(),
-            oblique_axis(),    refraction_of_the_e_ray(), furnace(),
+            oblique_axis(),    refraction_of_the_e_ray(), crystal_in_a_furnace(),
             conservation()};
 }
 

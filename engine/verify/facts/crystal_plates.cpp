@@ -16,7 +16,6 @@ namespace pol::verify {
 
 namespace {
 
-const Tolerance one_surface = rounding(60.0, "one surface of a crystal");
 const Tolerance two_surfaces = rounding(120.0, "two surfaces of a crystal");
 const Tolerance displacement = rounding(16.0, "a point on a face");
 /// All passes of a plate: residual 1e-14 times radiance 1, and the rounding of a dozen passes that still matter.
@@ -85,8 +84,8 @@ Fact axis_in_the_face() {
         add_view(fact, "reflected",
                  camera_along(downward(0.0)) + picture() + "media: {crystal: " + calcite({1.0, 0.0, 0.0}) +
                      "}\nobjects:\n" + deep_block("crystal") + lamp("lamp", {0.0, 0.0, 10.0}, {0.0, 0.0, -1.0}, 1.0));
-    expect(fact, mirror, "reflectance of o", r_o, one_surface, of_pixel(s_share));
-    expect(fact, mirror, "reflectance of e", r_e, one_surface, of_pixel(p_share));
+    expect(fact, mirror, "reflectance of o", r_o, one_crystal_surface(), of_pixel(s_share));
+    expect(fact, mirror, "reflectance of e", r_e, one_crystal_surface(), of_pixel(p_share));
     expect(fact, mirror, "degree of polarization", dop_of(r_o, r_e), rounding(60.0 / 0.05, "one surface / 0.05"),
            of_pixel(dop));
     const double t_o = plate_transmittance(n_o);
@@ -121,9 +120,9 @@ Fact shares() {
     const std::size_t view = add_view(fact, "", plate_scene(calcite({1.0, 0.0, 1.0}), "residual: 0.01"));
     const double n_45 = e_index(radians(45.0));
     for (const auto& [name, branch, n] : {std::tuple{"share of o", "To", n_o}, std::tuple{"share of e", "Te", n_45}})
-        expect(fact, view, name, 0.5 * (1.0 - normal_reflectance(n)), one_surface,
+        expect(fact, view, name, 0.5 * (1.0 - normal_reflectance(n)), one_crystal_surface(),
                [branch = branch](const Explanation& e) { return share(e, branch); });
-    expect(fact, view, "reflected, o and e together", 1.0, one_surface,
+    expect(fact, view, "reflected, o and e together", 1.0, one_crystal_surface(),
            [](const Explanation& e) { return share(e, "R") + share(e, "To") + share(e, "Te"); });
     return fact;
 }

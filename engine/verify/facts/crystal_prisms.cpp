@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // T27 to T29: prisms, polarizers with a gap, and beam splitters made of crystals.
 #include <cmath>
-#include <limits>
 
 #include "core/units.h"
 #include "verify/facts/chapters.h"
@@ -13,19 +12,14 @@ namespace pol::verify {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const Tolerance one_surface = rounding(60.0, "one surface of a crystal");
-const Tolerance four_surfaces = rounding(240.0, "one surface of a crystal with slopes of order 4");
+const Tolerance one_steep_surface = rounding(240.0, "one surface of a crystal with slopes of order 4");
 const Tolerance fully = rounding(4.0, "a ratio of Stokes components");
 
-Measurement kept_by(const char* child, const char* parent) {
-    return [child, parent](const Explanation& e) { return kept(e, child, parent); };
-}
 Measurement rays_along(const char* branch) {
     return [branch](const Explanation& e) { return find_branch(e, branch) == nullptr ? 0.0 : 1.0; };
 }
 
-Fact prism() {
+Fact calcite_prism() {
     Fact fact{"T27", "A calcite prism with its axis along the edge sends out two beams, each fully polarized.",
               "minimum deviation: sin((D + 60)/2) = n sin 30 with n_o and n_e"};
     for (const auto& [name, branch, n, sign] :
@@ -53,7 +47,7 @@ Fact prism() {
             "deg");
         const ClosedFresnel face(n, i);
         expect(fact, view, "share of the beam", 0.5 * std::pow(1.0 - (sign > 0.0 ? face.R_p() : face.R_s()), 2),
-               four_surfaces, [branch = branch](const Explanation& e) { return share(e, branch); });
+               one_steep_surface, [branch = branch](const Explanation& e) { return share(e, branch); });
         expect(fact, view, "S1 over S0", sign, fully, of_pixel([](const Stokes<double>& s) { return s.s1 / s.s0; }));
     }
     return fact;
@@ -114,8 +108,8 @@ Fact glan_and_nicol() {
     for (const auto& [name, axis, face, passes, sign] : {std::tuple{"Foucault", foucault, foucault_face(), 6, -1.0},
                                                          std::tuple{"Taylor", taylor, taylor_face(), 2, 1.0}}) {
         const std::size_t view = add_view(fact, std::string(name) + ", cut 38.5 degrees", glan(glan_cut, axis, "1e-9"));
-        expect(fact, view, "o reflected at the gap", 1.0, one_surface, kept_by("To Ro", "To"));
-        expect(fact, view, "e passed by a face", face, four_surfaces, kept_by("Te T", "Te"));
+        expect(fact, view, "o reflected at the gap", 1.0, one_crystal_surface(), kept_by("To Ro", "To"));
+        expect(fact, view, "e passed by a face", face, one_steep_surface, kept_by("Te T", "Te"));
         const double q = std::pow(1.0 - face, 2);
         expect(fact, view, "e passed by the gap", face / (2.0 - face) * (1.0 - std::pow(q, passes)),
                rounding(480.0, "two surfaces with slopes of order 4"), sum_of_passes(passes));
@@ -140,7 +134,7 @@ Fact glan_and_nicol() {
     // For e balsam is the denser medium: it always passes.
     const double critical = std::asin(1.55 / n_o) + 1e-12;
     const std::size_t nicol = add_view(fact, "Nicol", glan(critical, foucault, "0.01", "1.55"));
-    expect(fact, nicol, "e passed by balsam", 1.0 - ClosedFresnel(1.55 / n_e, critical).R_s(), four_surfaces,
+    expect(fact, nicol, "e passed by balsam", 1.0 - ClosedFresnel(1.55 / n_e, critical).R_s(), one_steep_surface,
            kept_by("Te T", "Te"));
     return fact;
 }
@@ -205,7 +199,7 @@ Fact wollaston_prism() {
 }  // namespace
 
 std::vector<Fact> crystal_prism_facts() {
-    return {prism(), glan_and_nicol(), wollaston_prism()};
+    return {calcite_prism(), glan_and_nicol(), wollaston_prism()};
 }
 
 }  // namespace pol::verify

@@ -33,14 +33,14 @@ std::string stack(const std::vector<std::string>& sheets, const std::string& emi
     return yaml;
 }
 
-std::string axis_at(double degree) {
+std::string axis_text(double degree) {
     return text(DVec3(std::cos(radians(degree)), std::sin(radians(degree)), 0.0));
 }
 std::string polarizer(double degree) {
-    return "polarizer: {axis: " + axis_at(degree) + "}";
+    return "polarizer: {axis: " + axis_text(degree) + "}";
 }
 std::string retarder(double degree, double retardance) {
-    return "retarder: {fast_axis: " + axis_at(degree) + ", retardance: " + text(retardance) + "}";
+    return "retarder: {fast_axis: " + axis_text(degree) + ", retardance: " + text(retardance) + "}";
 }
 
 Fact malus() {

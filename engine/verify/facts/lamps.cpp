@@ -11,8 +11,6 @@ namespace pol::verify {
 
 namespace {
 
-const Tolerance one_surface = rounding(60.0, "one surface of a crystal");
-
 /// With the optic axis across the plane of incidence, s is the e wave of index n_e and p the o wave of index n_o, as in
 /// two isotropic media. Between the two critical angles of a positive crystal p is reflected totally and s is not.
 Fact between_two_critical_angles() {
@@ -31,10 +29,10 @@ Fact between_two_critical_angles() {
     const Complex<double> r_s = ClosedFresnel(n_large / n1, i).r_s;
     const Complex<double> r_p = ClosedFresnel(n_small / n1, i).r_p;
     const Complex<double> xy = r_s * conj(r_p);
-    expect(fact, view, "reflectance of e (s)", norm2(r_s), one_surface, of_pixel(s_share));
-    expect(fact, view, "reflectance of o (p)", 1.0, one_surface, of_pixel(p_share));
-    expect(fact, view, "S2", xy.re, one_surface, of_pixel(s2));
-    expect(fact, view, "S3", xy.im, one_surface, of_pixel(s3));
+    expect(fact, view, "reflectance of e (s)", norm2(r_s), one_crystal_surface(), of_pixel(s_share));
+    expect(fact, view, "reflectance of o (p)", 1.0, one_crystal_surface(), of_pixel(p_share));
+    expect(fact, view, "S2", xy.re, one_crystal_surface(), of_pixel(s2));
+    expect(fact, view, "S3", xy.im, one_crystal_surface(), of_pixel(s3));
     return fact;
 }
 
@@ -52,8 +50,8 @@ Fact lamp_inside_crystal() {
                  camera_along({0.0, 0.0, -1.0}) + picture() + "media: {crystal: " + calcite({1.0, 0.0, 1.0}) +
                      "}\nobjects:\n" + box("block", {40.0, 40.0, 4.0}, {0.0, 0.0, -2.0}, "crystal") +
                      lamp("lamp", {0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, 2.0));
-    expect(fact, view, "radiance of o (s)", 2.0 * of_o, one_surface, of_pixel(s_share));
-    expect(fact, view, "radiance of e (p)", 2.0 * of_e, one_surface, of_pixel(p_share));
+    expect(fact, view, "radiance of o (s)", 2.0 * of_o, one_crystal_surface(), of_pixel(s_share));
+    expect(fact, view, "radiance of e (p)", 2.0 * of_e, one_crystal_surface(), of_pixel(p_share));
     return fact;
 }
 
@@ -73,8 +71,8 @@ Fact virtual_plate() {
                 "}\nobjects:\n  - {name: lamp, shape: {rectangle: {size: 4}}, emission: {radiance: 1, polarization: "
                 "{crystal_plate: {medium: crystal, axis: [1, 0, 0], ray: " +
                 ray + ", fresnel: off}}}}\n");
-        expect(fact, view, "radiance", 0.5, one_surface, of_pixel(s0));
-        expect(fact, view, "S1", 0.5 * sign, one_surface, of_pixel(s1));
+        expect(fact, view, "radiance", 0.5, one_crystal_surface(), of_pixel(s0));
+        expect(fact, view, "S1", 0.5 * sign, one_crystal_surface(), of_pixel(s1));
     }
     return fact;
 }

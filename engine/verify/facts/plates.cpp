@@ -13,16 +13,16 @@ namespace pol::verify {
 
 namespace {
 
-constexpr double n_glass = 1.5;
+constexpr double n_plate = 1.5;
 constexpr double thickness = 0.1;
-const double brewster = std::atan(n_glass);
+const double plate_brewster = std::atan(n_plate);
 
 const Tolerance many_surfaces = rounding(200.0, "20 surfaces");
 
 /// `count` wide horizontal plates under the camera, 0.1 thick and 0.1 apart, over an unpolarized lamp of radiance 1.
 /// So wide that a ray has lost all its energy long before it comes to the side of a plate.
 std::string pile(int count, double i, const std::string& settings) {
-    std::string yaml = camera_along(downward(i)) + picture(settings) + "media: {glass: " + text(n_glass) +
+    std::string yaml = camera_along(downward(i)) + picture(settings) + "media: {glass: " + text(n_plate) +
                        "}\nobjects:\n" + lamp("lamp", {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0}, 1000.0);
     for (int k = 0; k < count; ++k)
         yaml += box("plate " + std::to_string(k), {400.0, 400.0, thickness}, {0.0, 0.0, -thickness * (0.5 + 2.0 * k)},
@@ -39,8 +39,8 @@ Fact straight_path_through_pile() {
               "Fresnel: T_s = (2n/(1 + n^2))^2 per face, T_p = 1"};
     for (const int count : {1, 2, 5, 10}) {
         // The straight path is the heaviest at every step, so a small budget reaches its end.
-        const std::size_t view = add_view(fact, plates_text(count), pile(count, brewster, "node_budget: 200"));
-        const double t_s = std::pow(2.0 * n_glass / (1.0 + n_glass * n_glass), 4.0 * count);
+        const std::size_t view = add_view(fact, plates_text(count), pile(count, plate_brewster, "node_budget: 200"));
+        const double t_s = std::pow(2.0 * n_plate / (1.0 + n_plate * n_plate), 4.0 * count);
         const std::string straight(2 * static_cast<std::size_t>(count), 'T');
         expect(fact, view, "degree of polarization", dop_of(1.0, t_s), many_surfaces, along(straight, dop));
         expect(fact, view, "transmittance of s", t_s, many_surfaces, along(straight, s_share));
@@ -57,8 +57,8 @@ Fact all_passes_through_pile() {
     };
     // Of more than two plates the tree is too large to be followed to its end.
     for (const Cut& cut : {Cut{1, 1e-13, "residual: 1e-13"}, Cut{2, 1e-6, "residual: 1e-6, node_budget: 100000"}}) {
-        const std::size_t view = add_view(fact, plates_text(cut.count), pile(cut.count, brewster, cut.settings));
-        const double spread = std::pow(2.0 * n_glass / (n_glass * n_glass - 1.0), 2);
+        const std::size_t view = add_view(fact, plates_text(cut.count), pile(cut.count, plate_brewster, cut.settings));
+        const double spread = std::pow(2.0 * n_plate / (n_plate * n_plate - 1.0), 2);
         // P falls by at most (1 + P)/S0 < 2.6 per missing S0.
         expect(fact, view, "degree of polarization", cut.count / (cut.count + spread),
                residual_bound(cut.residual, 2.6, many_surfaces), of_pixel(dop));
@@ -71,7 +71,7 @@ Fact plate_by_angle() {
     Fact fact{"T6", "A plate polarizes more along the straight path than with all passes, at any angle.",
               "Fresnel; all passes (1 - R)/(1 + R) per polarization"};
     for (const double angle : {30.0, 60.0, 75.0}) {
-        const ClosedFresnel f(n_glass, radians(angle));
+        const ClosedFresnel f(n_plate, radians(angle));
         const std::string name = std::to_string(static_cast<int>(angle)) + " degrees";
         const std::size_t view = add_view(fact, name, pile(1, radians(angle), "residual: 1e-13"));
         expect(fact, view, "degree of polarization, straight path",
@@ -87,7 +87,7 @@ Fact plate_head_on() {
     Fact fact{"T7", "A glass plate passes 12/13 at normal incidence, unpolarized.", "T = 2n/(n^2 + 1), all passes"};
     const std::size_t view = add_view(fact, "", pile(1, 0.0, "residual: 1e-13"));
     const Tolerance tolerance = residual_bound(1e-13, 1.0, many_surfaces);
-    expect(fact, view, "transmittance", plate_transmittance(n_glass), tolerance, of_pixel(s0));
+    expect(fact, view, "transmittance", plate_transmittance(n_plate), tolerance, of_pixel(s0));
     expect(fact, view, "degree of polarization", 0.0, many_surfaces, of_pixel(dop));
     return fact;
 }
@@ -97,7 +97,7 @@ Fact lateral_shift() {
               "Snell: sin(i - t)/cos t"};
     const double i = radians(45.0);
     const std::size_t view = add_view(fact, "", pile(1, i, "residual: 1e-3"));
-    const double inside = std::asin(std::sin(i) / n_glass);
+    const double inside = std::asin(std::sin(i) / n_plate);
     expect(fact, view, "shift over thickness", std::sin(i - inside) / std::cos(inside),
            rounding(20.0 / thickness, "points 5 from the ray's origin, over the thickness"), [](const Explanation& e) {
                const auto branches = path(e, "TT");
@@ -114,11 +114,11 @@ Fact lateral_shift() {
     return fact;
 }
 
-Fact furnace() {
+Fact plate_in_a_furnace() {
     Fact fact{"T14", "In uniform surroundings glass lacks what a depth limit cuts off, and is invisible without one.",
               "1 - (1 - R) R^(D-1) per polarization, R of the local angle"};
     const double degree = 60.0;
-    const ClosedFresnel f(n_glass, radians(degree));
+    const ClosedFresnel f(n_plate, radians(degree));
     const std::pair<std::string, std::string> objects[] = {
         {"plate", box("plate", {4000.0, 4000.0, 0.1}, {0.0, 0.0, -0.05}, "glass")},
         {"ball",
@@ -146,12 +146,8 @@ Fact furnace() {
 }  // namespace
 
 std::vector<Fact> plate_facts() {
-    return {straight_path_through_pile(),
-            all_passes_through_pile(),
-            plate_by_angle(),
-            plate_head_on(),
-            lateral_shift(),
-            furnace()};
+    return {straight_path_through_pile(), all_passes_through_pile(), plate_by_angle(), plate_head_on(), lateral_shift(),
+            plate_in_a_furnace()};
 }
 
 }  // namespace pol::verify

@@ -17,10 +17,10 @@ namespace pol::verify {
 namespace {
 
 constexpr double n_glass = 1.5;
-const double brewster = std::atan(n_glass);
+const double glass_brewster = std::atan(n_glass);
 constexpr const char* diagonal = "[0, 1, 0]";
 
-const Tolerance one_surface = rounding(32.0, "one surface");
+const Tolerance one_mirror = rounding(32.0, "one surface");
 const Tolerance ratio = rounding(4.0, "a ratio of Stokes components");
 
 /// A lamp seen by reflection in a deep block of the medium, at the angle of incidence `i`. The lamp is farther than the
@@ -49,10 +49,10 @@ std::string from_inside_scene(double n, double i) {
 Fact brewster_reflection() {
     Fact fact{"T1", "Light reflected at Brewster's angle, tan i = n, is fully polarized across the plane of incidence.",
               "Born & Wolf 1.5.3; PHYSICS.md 2.1"};
-    const std::size_t view = add_view(fact, "", mirror_scene("1.5", brewster));
+    const std::size_t view = add_view(fact, "", mirror_scene("1.5", glass_brewster));
     const double n2 = n_glass * n_glass;
-    expect(fact, view, "reflectance of p", 0.0, one_surface, of_pixel(p_share));
-    expect(fact, view, "reflectance of s", std::pow((n2 - 1.0) / (n2 + 1.0), 2), one_surface, of_pixel(s_share));
+    expect(fact, view, "reflectance of p", 0.0, one_mirror, of_pixel(p_share));
+    expect(fact, view, "reflectance of s", std::pow((n2 - 1.0) / (n2 + 1.0), 2), one_mirror, of_pixel(s_share));
     expect(fact, view, "degree of polarization", 1.0, ratio, of_pixel(dop));
     expect(fact, view, "ellipticity", 0.0, ratio, of_pixel(ellipticity));
     expect(fact, view, "azimuth from s", 0.0, rounding(1e3, "an angle in degrees"), of_pixel(azimuth_degrees), "deg");
@@ -62,11 +62,11 @@ Fact brewster_reflection() {
 Fact brewster_refraction() {
     Fact fact{"T2", "Light refracted at Brewster's angle is partially polarized in the plane of incidence.",
               "Born & Wolf 1.5.3: T_p = 1, T_s = 1 - R_s"};
-    const std::size_t view = add_view(fact, "", refraction_scene(n_glass, brewster));
+    const std::size_t view = add_view(fact, "", refraction_scene(n_glass, glass_brewster));
     const double n2 = n_glass * n_glass;
     const double t_s = 1.0 - std::pow((n2 - 1.0) / (n2 + 1.0), 2);
-    expect(fact, view, "degree of polarization", dop_of(1.0, t_s), one_surface, of_pixel(dop));
-    expect(fact, view, "s minus p over s plus p", -dop_of(1.0, t_s), one_surface,
+    expect(fact, view, "degree of polarization", dop_of(1.0, t_s), one_mirror, of_pixel(dop));
+    expect(fact, view, "s minus p over s plus p", -dop_of(1.0, t_s), one_mirror,
            of_pixel([](const Stokes<double>& s) { return s.s1 / s.s0; }));
     expect(fact, view, "ellipticity", 0.0, ratio, of_pixel(ellipticity));
     return fact;
@@ -76,26 +76,26 @@ Fact reflection_by_angle() {
     Fact fact{"T3", "Glass reflects 4 % at normal incidence, R_p = R_s^2 at 45 degrees, and everything at grazing.",
               "Fresnel, Born & Wolf 1.5.2 (24), signs after Verdet"};
     const std::size_t normal = add_view(fact, "normal incidence", mirror_scene("1.5", 0.0));
-    expect(fact, normal, "reflectance", 0.04, one_surface, of_pixel(s0));
+    expect(fact, normal, "reflectance", 0.04, one_mirror, of_pixel(s0));
     expect(fact, normal, "degree of polarization", 0.0, rounding(32.0 / 0.04, "one surface / 0.04"), of_pixel(dop));
 
     const ClosedFresnel f(n_glass, radians(45.0));
     const std::size_t oblique = add_view(fact, "45 degrees", mirror_scene("1.5", radians(45.0)));
-    expect(fact, oblique, "reflectance of s", f.R_s(), one_surface, of_pixel(s_share));
-    expect(fact, oblique, "reflectance of p", f.R_s() * f.R_s(), one_surface, of_pixel(p_share));
+    expect(fact, oblique, "reflectance of s", f.R_s(), one_mirror, of_pixel(s_share));
+    expect(fact, oblique, "reflectance of p", f.R_s() * f.R_s(), one_mirror, of_pixel(p_share));
     expect(fact, oblique, "degree of polarization", (1.0 - f.R_s()) / (1.0 + f.R_s()),
            rounding(32.0 / 0.05, "one surface / 0.05"), of_pixel(dop));
 
     const Stokes<double> turned = f.of_diagonal_light();
     const std::size_t linear =
         add_view(fact, "45 degrees, diagonal light", mirror_scene("1.5", radians(45.0), polarized(diagonal)));
-    expect(fact, linear, "S2", turned.s2, one_surface, of_pixel(s2));
+    expect(fact, linear, "S2", turned.s2, one_mirror, of_pixel(s2));
 
     const double i = radians(90.0) - 1e-3;
     const ClosedFresnel grazing(n_glass, i);
     const std::size_t flat = add_view(fact, "1 mrad from grazing", mirror_scene("1.5", i));
-    expect(fact, flat, "reflectance of s", grazing.R_s(), one_surface, of_pixel(s_share));
-    expect(fact, flat, "reflectance of p", grazing.R_p(), one_surface, of_pixel(p_share));
+    expect(fact, flat, "reflectance of s", grazing.R_s(), one_mirror, of_pixel(s_share));
+    expect(fact, flat, "reflectance of p", grazing.R_p(), one_mirror, of_pixel(p_share));
     return fact;
 }
 
@@ -106,9 +106,9 @@ Fact diamond() {
         "Fresnel; critical angle asin(1/n)"};
     const double n = 2.4172592;
     const std::size_t normal = add_view(fact, "normal incidence", mirror_scene(text(n), 0.0));
-    expect(fact, normal, "reflectance", normal_reflectance(n), one_surface, of_pixel(s0));
+    expect(fact, normal, "reflectance", normal_reflectance(n), one_mirror, of_pixel(s0));
     const std::size_t at_brewster = add_view(fact, "Brewster's angle", mirror_scene(text(n), std::atan(n)));
-    expect(fact, at_brewster, "reflectance of p", 0.0, one_surface, of_pixel(p_share));
+    expect(fact, at_brewster, "reflectance of p", 0.0, one_mirror, of_pixel(p_share));
     const auto from_inside = [n](double i) {
         return camera_along(upward(i), 1.0) + picture("depth: 2") + "background: 1\nmedia: {stuff: " + text(n) +
                "}\nobjects:\n" + box("block", {40.0, 40.0, 4.0}, {0.0, 0.0, -2.0}, "stuff");
@@ -157,15 +157,15 @@ Fact metal_reflection() {
         const ClosedFresnel f(index, radians(45.0));
         const Stokes<double> turned = f.of_diagonal_light();
         const std::size_t normal = add_view(fact, name + ", normal incidence", mirror_scene(medium, 0.0));
-        expect(fact, normal, "reflectance", ClosedFresnel(index, 0.0).R_s(), one_surface, of_pixel(s0));
+        expect(fact, normal, "reflectance", ClosedFresnel(index, 0.0).R_s(), one_mirror, of_pixel(s0));
         const std::size_t oblique = add_view(fact, name + ", 45 degrees", mirror_scene(medium, radians(45.0)));
-        expect(fact, oblique, "degree of polarization", dop_of(f.R_s(), f.R_p()), one_surface, of_pixel(dop));
+        expect(fact, oblique, "degree of polarization", dop_of(f.R_s(), f.R_p()), one_mirror, of_pixel(dop));
         const std::size_t linear = add_view(fact, name + ", 45 degrees, diagonal light",
                                             mirror_scene(medium, radians(45.0), polarized(diagonal)));
-        expect(fact, linear, "S3", turned.s3, one_surface, of_pixel(s3));
+        expect(fact, linear, "S3", turned.s3, one_mirror, of_pixel(s3));
         expect(fact, linear, "ellipticity",
                std::abs(turned.s3) / (std::hypot(turned.s1, turned.s2, turned.s3) + pol::hypot(turned.s1, turned.s2)),
-               one_surface, of_pixel(ellipticity));
+               one_mirror, of_pixel(ellipticity));
         const std::size_t principal = add_view(fact, name + ", principal angle",
                                                mirror_scene(medium, principal_angle(index), polarized(diagonal)));
         expect(fact, principal, "S2", 0.0, rounding(64.0, "one surface and an angle"), of_pixel(s2));
@@ -186,7 +186,7 @@ Fact reversed_handedness() {
             const std::string lit = hand > 0.0 ? ", right circular light" : ", left circular light";
             const std::size_t view =
                 add_view(fact, name + lit, mirror_scene(medium, 0.0, polarized("[0, 0, " + text(hand) + "]")));
-            expect(fact, view, "S3", -hand * r, one_surface, of_pixel(s3));
+            expect(fact, view, "S3", -hand * r, one_mirror, of_pixel(s3));
             expect(fact, view, "ellipticity", 1.0, rounding(32.0 / 0.04, "one surface / 0.04"), of_pixel(ellipticity));
         }
     }
@@ -215,14 +215,14 @@ Fact reversed_ray() {
     const double t = 1.0 - 0.5 * (f.R_s() + f.R_p());
     expect(fact, out, "transmittance", t, rounding(72.0, "one surface, n^2"),
            of_pixel([](const Stokes<double>& s) { return n_glass * n_glass * s.s0; }));
-    expect(fact, in, "transmittance", t, one_surface,
+    expect(fact, in, "transmittance", t, one_mirror,
            of_pixel([](const Stokes<double>& s) { return s.s0 / (n_glass * n_glass); }));
     expect(fact, in, "radiance inside", n4 * t / (n_glass * n_glass), rounding(72.0, "one surface, n^2"), of_pixel(s0));
-    expect(fact, out, "r of s from outside", f.r_s.re, one_surface, s_amplitude(Interaction::reflected));
-    expect(fact, in, "r of s from inside", -f.r_s.re, one_surface, s_amplitude(Interaction::reflected));
+    expect(fact, out, "r of s from outside", f.r_s.re, one_mirror, s_amplitude(Interaction::reflected));
+    expect(fact, in, "r of s from inside", -f.r_s.re, one_mirror, s_amplitude(Interaction::reflected));
     const double amplitude = std::sqrt(1.0 - f.r_s.re * f.r_s.re);
-    expect(fact, out, "t of s from outside", amplitude, one_surface, s_amplitude(Interaction::transmitted));
-    expect(fact, in, "t of s from inside", amplitude, one_surface, s_amplitude(Interaction::transmitted));
+    expect(fact, out, "t of s from outside", amplitude, one_mirror, s_amplitude(Interaction::transmitted));
+    expect(fact, in, "t of s from inside", amplitude, one_mirror, s_amplitude(Interaction::transmitted));
     return fact;
 }
 
@@ -231,9 +231,8 @@ Fact lamp_inside_glass() {
               "A lamp inside glass looks dimmer from outside by T/n^2: its light spreads over a larger solid angle.",
               "conservation of L/n^2, PHYSICS.md 2.3"};
     const std::size_t view = add_view(fact, "", refraction_scene(n_glass, 0.0));
-    expect(fact, view, "radiance", (1.0 - normal_reflectance(n_glass)) / (n_glass * n_glass), one_surface,
-           of_pixel(s0));
-    expect(fact, view, "degree of polarization", 0.0, one_surface, of_pixel(dop));
+    expect(fact, view, "radiance", (1.0 - normal_reflectance(n_glass)) / (n_glass * n_glass), one_mirror, of_pixel(s0));
+    expect(fact, view, "degree of polarization", 0.0, one_mirror, of_pixel(dop));
     return fact;
 }
 

@@ -68,7 +68,7 @@ std::pair<double, double> angles_of_delay(double n, double delta) {
     return {std::asin(std::sqrt((b + root) / (2.0 * a))), std::asin(std::sqrt((b - root) / (2.0 * a)))};
 }
 
-Fact prism() {
+Fact reflecting_prism() {
     Fact fact{"T9", "Total reflection in glass turns light at +45 degrees right-handed elliptic.",
               "Born & Wolf 1.5.4; PHYSICS.md 2.1: Delta = -2 atan(cos i sqrt(sin^2 i - 1/n^2)/sin^2 i)"};
     const double critical = std::asin(1.0 / 1.5);
@@ -157,7 +157,7 @@ Fact rhomb_keeps_s_and_p() {
 }  // namespace
 
 std::vector<Fact> total_reflection_facts() {
-    return {prism(), corner_cube(), fresnel_rhomb(), rhomb_keeps_s_and_p()};
+    return {reflecting_prism(), corner_cube(), fresnel_rhomb(), rhomb_keeps_s_and_p()};
 }
 
 }  // namespace pol::verify

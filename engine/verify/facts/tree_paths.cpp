@@ -2,15 +2,12 @@
 #include "verify/facts/tree_paths.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/complex.h"
 
 namespace pol::verify {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const RayTreeNode& node_at(const RayTree& tree, int index) {
     return tree.nodes[static_cast<std::size_t>(index)];
@@ -86,6 +83,10 @@ double share(const Explanation& explanation, std::string_view route) {
 double kept(const Explanation& explanation, std::string_view child, std::string_view parent) {
     const RayTreeNode* found = find_branch(explanation, parent);
     return found == nullptr ? nan : share(explanation, child) / found->start.weight;
+}
+
+std::function<double(const Explanation&)> kept_by(const char* child, const char* parent) {
+    return [child, parent](const Explanation& e) { return kept(e, child, parent); };
 }
 
 double share_along(const Explanation& explanation, std::string_view route, const DVec3& direction) {

@@ -5,6 +5,8 @@
 // R reflected, T transmitted, S through a sheet.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,9 @@
 #include "tracer/explain.h"
 
 namespace pol::verify {
+
+/// What a number is that the tree has not.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// How light came from leaf `leaf` to the camera, followed backward: "TRRT".
 std::string route(const RayTree& tree, int leaf);
@@ -34,6 +39,8 @@ double share(const Explanation& explanation, std::string_view route);
 /// Share of branch `child` in what its parent brought to the surface between them: R or T of that surface. NaN without
 /// the parent.
 double kept(const Explanation& explanation, std::string_view child, std::string_view parent);
+/// kept() of those two, as a reading of a fact measures it. Both names outlive it.
+std::function<double(const Explanation&)> kept_by(const char* child, const char* parent);
 
 /// The part of share() that is polarized along the unit vector `direction` on the branch itself.
 double share_along(const Explanation& explanation, std::string_view route, const DVec3& direction);

@@ -16,14 +16,14 @@ namespace {
 /// Rounding of a Stokes vector, relative to the brightest light: up to 20000 additions of 1.1e-16, and 40 surfaces of
 /// 60 operations on the way of each leaf, 2.5e-12. An error of that size is a difference of two states of light of that
 /// trace, so it is taken into account as light that may be missing and as light that may be too much.
-constexpr double rounding = 5e-12;
+constexpr double bar_rounding = 5e-12;
 
 /// Rounding of the ends of a bar.
 constexpr double slack = 1e-14;
 
 MeasureBounds<double> bars_with_rounding(const StokesImage& image, std::size_t wavelength, std::size_t pixel) {
     const double brightest = image.brightest[wavelength];
-    const double surplus = (image.plane_value(image.tail, wavelength, pixel) + rounding) * brightest;
+    const double surplus = (image.plane_value(image.tail, wavelength, pixel) + bar_rounding) * brightest;
     const double missing = image.plane_value(image.residual, wavelength, pixel) * brightest + surplus;
     return measure_bounds(image.at(wavelength, pixel), missing, surplus);
 }

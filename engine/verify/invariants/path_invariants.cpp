@@ -19,7 +19,7 @@ constexpr int longest = 4;
 /// Paths that are tried, over the picture: each needs a plan of its own.
 constexpr int paths_a_side = 8;
 /// Directions of the two paths agree to rounding; amplitudes have slopes up to 1e3 near critical angles.
-constexpr double tolerance = 1e-9;
+constexpr double path_tolerance = 1e-9;
 
 /// Branches from the camera ray to `leaf`.
 std::vector<const RayTreeNode*> branches_to(const RayTree& tree, int leaf) {
@@ -117,7 +117,7 @@ InvariantResult is_reciprocal(const SceneUnderTest& test) {
             if (back == nullptr)
                 tally.add_exact(false, at);
             else
-                tally.add(asymmetry(e, leaf, reversed, *back) / tolerance, at);
+                tally.add(asymmetry(e, leaf, reversed, *back) / path_tolerance, at);
         }
     if (tally.result().tested == 0) return does_not_apply("no light comes by way of one to four interfaces");
     return tally.result();
