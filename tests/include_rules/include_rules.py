@@ -202,6 +202,32 @@ def check_file(root, rooms, file):
             yield number, why
 
 
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{")
+TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)\b(?! *<)[^;]*\{")
+
+
+def types_of(file):
+    """Yields (line, type with its namespace) for every type that a header defines for all."""
+    namespace = ""
+    for number, line in enumerate(without_comments(file.read_text(encoding="utf-8")).split("\n"), 1):
+        if match := NAMESPACE.match(line):
+            namespace = match.group(1)
+        elif match := TYPE.match(line):
+            yield number, f"{namespace}::{match.group(1)}"
+
+
+def one_definition(root):
+    """Yields a line of text for every type that two headers define: the linker keeps one of their functions."""
+    seen = {}
+    for top in ("engine", "viewer"):
+        for file in sorted((root / top).rglob("*.h")):
+            path = file.relative_to(root)
+            for line, name in types_of(file):
+                if name in seen:
+                    yield f"{path}:{line}: {name} is another type in {seen[name]}"
+                seen.setdefault(name, path)
+
+
 def violations(root):
     """All violations below `root` as sorted lines of text."""
     rooms = read_rooms(root / "rooms.txt")
@@ -210,7 +236,7 @@ def violations(root):
         for file in sorted((root / top).rglob("*")):
             if file.suffix in SOURCES | SCRIPTS and file.is_file():
                 found += [f"{file.relative_to(root)}:{line}: {rule}" for line, rule in check_file(root, rooms, file)]
-    return found
+    return found + list(one_definition(root))
 
 
 def main():

@@ -18,11 +18,13 @@ LICENCE = "// SPDX-License-Identifier: Apache-2.0\n"
 
 
 class IncludeRules(unittest.TestCase):
-    def violations(self, path, text):
+    def violations(self, path, text, *others):
+        """Of a house with this file, and `others` as (path, text)."""
         with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / path
-            file.parent.mkdir(parents=True)
-            file.write_text(text, encoding="utf-8")
+            for name, content in [(path, text), *others]:
+                file = Path(folder) / name
+                file.parent.mkdir(parents=True)
+                file.write_text(content, encoding="utf-8")
             shutil.copy(TABLE, folder)
             return include_rules.violations(Path(folder))
 
@@ -159,6 +161,13 @@ class IncludeRules(unittest.TestCase):
         self.expect_clean("tests/x/a.cpp", "\n" * (include_rules.MAX_LINES - 1))
         self.expect_violation("tests/x/a.cpp", "\n" * include_rules.MAX_LINES, include_rules.MAX_LINES + 1, "split")
         self.expect_clean("tests/x/a.cpp", "// Long because of a table.\n" + "\n" * include_rules.MAX_LINES)
+
+    def test_a_name_is_one_type(self):
+        text = LICENCE + "#pragma once\nnamespace pol {\n\nstruct Twice {\n    int x;\n};\n\n}\n"
+        first, second = "engine/core/a.h", "viewer/session/a.h"
+        self.assertEqual(self.violations(first, text, (second, text)), [f"{second}:5: pol::Twice is another type in {first}"])
+        for other in (text.replace("pol {", "pol::test {"), text.replace(" {\n    int x;\n}", ""), text.replace("Twice", "Once")):
+            self.assertEqual(self.violations(first, text, (second, other)), [])
 
     def test_header_needs_pragma_once(self):
         self.expect_violation("engine/core/a.h", "int x;\n", 1, "pragma once")

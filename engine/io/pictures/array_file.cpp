@@ -40,7 +40,7 @@ std::vector<std::filesystem::path> files_of(const PictureSource& source) {
     return files;
 }
 
-Result<PictureReading> open(const PictureSource& source) {
+Result<UnfilledPicture> open(const PictureSource& source) {
     for (const auto& file : source.stokes_files)
         if (!file.empty()) return open_components(source);
     if (!source.angles_deg.empty()) return open_angles(source);

@@ -171,8 +171,8 @@ std::optional<SetName> set_name(const fs::path& path) {
     return std::nullopt;
 }
 
-Result<PictureReading> open_photographs(const std::vector<fs::path>& files, const std::vector<double>& angles,
-                                        std::string layout) {
+Result<UnfilledPicture> open_photographs(const std::vector<fs::path>& files, const std::vector<double>& angles,
+                                         std::string layout) {
     POL_TRY(const AngleFit fit, fit_angles(angles));
     std::optional<Photograph> first;
     for (const fs::path& file : files) {
@@ -188,7 +188,7 @@ Result<PictureReading> open_photographs(const std::vector<fs::path>& files, cons
         picture_like(*first, first->width, first->height, first->bands(StokesComponents::linear()), std::move(layout));
     image.stored.spacing = spacing_of(*first, fit);
     image.origin.remarks.push_back(missing_s3());
-    return PictureReading{
+    return UnfilledPicture{
         image,
         [files, fit, is_four = std::equal(angles.begin(), angles.end(), set_angles.begin(), set_angles.end())](
             StokesImage& target, const ReadProgress& progress) -> Result<Done> {
@@ -224,7 +224,7 @@ Result<PictureReading> open_photographs(const std::vector<fs::path>& files, cons
 constexpr std::array<std::array<std::size_t, 2>, 4> mosaic_places{{{1, 1}, {0, 1}, {0, 0}, {1, 0}}};
 
 /// `in_color`: cells of one angle each under one color of R G / G B, 4 x 4 pixels in all (IMX250MYR).
-Result<PictureReading> open_mosaic(const fs::path& path, bool in_color) {
+Result<UnfilledPicture> open_mosaic(const fs::path& path, bool in_color) {
     POL_TRY(const Photograph photo, read_photograph(path, false));
     const int cell = in_color ? 4 : 2;
     if (photo.channels != 1)
@@ -244,7 +244,7 @@ Result<PictureReading> open_mosaic(const fs::path& path, bool in_color) {
         "The cells of the sensor are 90 45 / 135 0 degrees from the upper left corner on; a cell is one pixel.");
     if (in_color) image.origin.assumed.emplace_back("Colors are R G / G B; G is the mean of two cells.");
     image.origin.remarks.push_back(missing_s3());
-    return PictureReading{
+    return UnfilledPicture{
         image, [path, in_color, cell, fit](StokesImage& target, const ReadProgress&) -> Result<Done> {
             POL_TRY(const Photograph raw, read_photograph(path, true));
             if (raw.width != target.width * cell || raw.height != target.height * cell)
@@ -279,7 +279,7 @@ Result<PictureReading> open_mosaic(const fs::path& path, bool in_color) {
 }
 
 /// S0 of what any other program wrote, decoded to light.
-Result<PictureReading> open_single(const fs::path& path) {
+Result<UnfilledPicture> open_single(const fs::path& path) {
     POL_TRY(const Photograph photo, read_photograph(path, false));
     StokesImage image;
     image.width = photo.width;
@@ -298,23 +298,23 @@ Result<PictureReading> open_single(const fs::path& path) {
     else if (!photo.says_linear)
         image.origin.assumed.emplace_back("The numbers were decoded by the sRGB curve: the file does not say how.");
     if (photo.has_alpha) image.origin.remarks.emplace_back("Transparency (the alpha channel) is left out.");
-    return PictureReading{image, [path](StokesImage& target, const ReadProgress&) -> Result<Done> {
-                              POL_TRY(const Photograph read, read_photograph(path, true));
-                              const std::size_t pixels = target.pixel_count();
-                              if (read.codes.size() != pixels * target.bands.size())
-                                  return input_error("has changed while it was read", "open it again");
-                              const std::vector<double> light = decoding_table(read.most, read.gamma);
-                              for (std::size_t b = 0; b < target.bands.size(); ++b)
-                                  for (std::size_t p = 0; p < pixels; ++p)
-                                      target.stokes[b * pixels + p].s0 =
-                                          read.scale.value_or(1.0) * light[read.codes[read.at(p, b)]];
-                              return Done{};
-                          }};
+    return UnfilledPicture{image, [path](StokesImage& target, const ReadProgress&) -> Result<Done> {
+                               POL_TRY(const Photograph read, read_photograph(path, true));
+                               const std::size_t pixels = target.pixel_count();
+                               if (read.codes.size() != pixels * target.bands.size())
+                                   return input_error("has changed while it was read", "open it again");
+                               const std::vector<double> light = decoding_table(read.most, read.gamma);
+                               for (std::size_t b = 0; b < target.bands.size(); ++b)
+                                   for (std::size_t p = 0; p < pixels; ++p)
+                                       target.stokes[b * pixels + p].s0 =
+                                           read.scale.value_or(1.0) * light[read.codes[read.at(p, b)]];
+                               return Done{};
+                           }};
 }
 
 }  // namespace
 
-Result<PictureReading> open_png(const PictureSource& source) {
+Result<UnfilledPicture> open_png(const PictureSource& source) {
     const fs::path& path = source.path();
     if (source.layout == "mosaic") return open_mosaic(path, false);
     if (source.layout == "color-mosaic") return open_mosaic(path, true);
@@ -342,7 +342,7 @@ Result<PictureReading> open_png(const PictureSource& source) {
                             "four photographs at 0, 45, 90, 135 degrees");
 }
 
-Result<PictureReading> open_angles(const PictureSource& source) {
+Result<UnfilledPicture> open_angles(const PictureSource& source) {
     if (source.files.size() != source.angles_deg.size())
         return usage_error(fmt::format("{} angles for {} files", source.angles_deg.size(), source.files.size()),
                            "one angle for each file, in their order");

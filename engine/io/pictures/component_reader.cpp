@@ -44,7 +44,7 @@ Error at(const std::filesystem::path& path, Error error) {
 
 }  // namespace
 
-Result<PictureReading> open_components(const PictureSource& source) {
+Result<UnfilledPicture> open_components(const PictureSource& source) {
     if (!source.layout.empty())
         return usage_error("components in files of their own have no other layout", "leave --layout or --stokes out");
     std::vector<Component> components;
@@ -72,7 +72,7 @@ Result<PictureReading> open_components(const PictureSource& source) {
     }
     image.origin.layout = "one file for each component";
     image.origin.assumed.emplace_back(assumed_frame);
-    return PictureReading{
+    return UnfilledPicture{
         std::move(image), [components](StokesImage& target, const ReadProgress& progress) -> Result<Done> {
             for (std::size_t i = 0; i < components.size(); ++i) {
                 const Component& one = components[i];

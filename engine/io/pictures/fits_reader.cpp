@@ -275,30 +275,30 @@ Result<Cube> cube_of(const Cards& cards, const FileBytes& file) {
 
 }  // namespace
 
-Result<PictureReading> open_fits(const std::filesystem::path& path) {
+Result<UnfilledPicture> open_fits(const std::filesystem::path& path) {
     std::error_code failed;
     const std::uint64_t size = std::filesystem::file_size(path, failed);
     if (failed) return input_error("cannot be read", "check its permissions");
     const auto file = std::make_shared<FileBytes>(path, 0, size);
     POL_TRY(const Cards cards, Cards::read(*file));
     POL_TRY(const Cube cube, cube_of(cards, *file));
-    return PictureReading{cube.layout.image,
-                          [file, cube](StokesImage& target, const ReadProgress& progress) -> Result<Done> {
-                              // NAXIS1 changes fastest, as the first axis does in Fortran's order.
-                              POL_TRY_DONE(read_numbers(*file, cube.format, cube.layout, true, target, progress));
-                              const bool scaled = cube.scale != 1.0 || cube.zero != 0.0;
-                              const StokesComponents known = target.bands.front().known;
-                              for (Stokes<double>& s : target.stokes) {
-                                  if (scaled) {
-                                      s.s0 = cube.scale * s.s0 + cube.zero;
-                                      if (known.has(1)) s.s1 = cube.scale * s.s1 + cube.zero;
-                                      if (known.has(2)) s.s2 = cube.scale * s.s2 + cube.zero;
-                                      if (known.has(3)) s.s3 = cube.scale * s.s3 + cube.zero;
-                                  }
-                                  s = target.origin.convention.to_ours(s);
-                              }
-                              return Done{};
-                          }};
+    return UnfilledPicture{cube.layout.image,
+                           [file, cube](StokesImage& target, const ReadProgress& progress) -> Result<Done> {
+                               // NAXIS1 changes fastest, as the first axis does in Fortran's order.
+                               POL_TRY_DONE(read_numbers(*file, cube.format, cube.layout, true, target, progress));
+                               const bool scaled = cube.scale != 1.0 || cube.zero != 0.0;
+                               const StokesComponents known = target.bands.front().known;
+                               for (Stokes<double>& s : target.stokes) {
+                                   if (scaled) {
+                                       s.s0 = cube.scale * s.s0 + cube.zero;
+                                       if (known.has(1)) s.s1 = cube.scale * s.s1 + cube.zero;
+                                       if (known.has(2)) s.s2 = cube.scale * s.s2 + cube.zero;
+                                       if (known.has(3)) s.s3 = cube.scale * s.s3 + cube.zero;
+                                   }
+                                   s = target.origin.convention.to_ours(s);
+                               }
+                               return Done{};
+                           }};
 }
 
 }  // namespace pol

@@ -11,7 +11,7 @@
 
 namespace pol {
 
-Result<PictureReading> open_npy(const std::filesystem::path& path, std::string_view layout) {
+Result<UnfilledPicture> open_npy(const std::filesystem::path& path, std::string_view layout) {
     std::error_code failed;
     const std::uint64_t size = std::filesystem::file_size(path, failed);
     if (failed) return input_error("cannot be read", "check its permissions");
@@ -26,13 +26,14 @@ Result<PictureReading> open_npy(const std::filesystem::path& path, std::string_v
         found.image.origin.remarks.push_back(std::to_string(behind) + " bytes behind the array were not looked at.");
 
     StokesImage image = found.image;
-    return PictureReading{std::move(image),
-                          [bytes, format, found = std::move(found), header](
-                              StokesImage& target, const ReadProgress& progress) -> Result<Done> {
-                              POL_TRY_DONE(read_numbers(*bytes, format, found, header.fortran_order, target, progress));
-                              if (found.may_be_mono) merge_equal_colors(target);
-                              return Done{};
-                          }};
+    return UnfilledPicture{
+        std::move(image),
+        [bytes, format, found = std::move(found), header](StokesImage& target,
+                                                          const ReadProgress& progress) -> Result<Done> {
+            POL_TRY_DONE(read_numbers(*bytes, format, found, header.fortran_order, target, progress));
+            if (found.may_be_mono) merge_equal_colors(target);
+            return Done{};
+        }};
 }
 
 }  // namespace pol

@@ -183,7 +183,7 @@ Result<std::vector<std::string>> stokes_keys(const Archive& archive) {
     return found.front();
 }
 
-Result<PictureReading> open_planes(const Archive& archive, const std::vector<std::string>& keys) {
+Result<UnfilledPicture> open_planes(const Archive& archive, const std::vector<std::string>& keys) {
     struct Plane {
         NumberFormat format;
         ArrayLayout layout;
@@ -221,7 +221,7 @@ Result<PictureReading> open_planes(const Archive& archive, const std::vector<std
     note_precision(image, coarsest->format);
     image.origin.layout = fmt::format("arrays {}", join(keys, ", "));
     image.origin.assumed.emplace_back(assumed_frame);
-    return PictureReading{
+    return UnfilledPicture{
         image, [planes](StokesImage& target, const ReadProgress& progress) -> Result<Done> {
             for (std::size_t i = 0; i < planes.size(); ++i) {
                 const auto share = [&](double done) {
@@ -295,7 +295,7 @@ Result<Done> read_companions(const Archive& archive, std::uint64_t length, Stoke
     return Done{};
 }
 
-Result<PictureReading> open_array(Archive archive, const std::string& key, std::string_view asked) {
+Result<UnfilledPicture> open_array(Archive archive, const std::string& key, std::string_view asked) {
     POL_TRY(Member member, archive.member(key));
     const auto format = number_format(member.header);
     if (!format) return Archive::of_key(key, format.error());
@@ -321,24 +321,24 @@ Result<PictureReading> open_array(Archive archive, const std::string& key, std::
         image.origin.assumed.clear();
     }
     StokesImage known = image;
-    return PictureReading{std::move(known),
-                          [archive = std::move(archive), bytes = std::shared_ptr<ByteSource>(std::move(member.bytes)),
-                           number = format.value(), found = std::move(layout).value(), header = member.header, is_ours,
-                           key](StokesImage& target, const ReadProgress& progress) -> Result<Done> {
-                              const auto read =
-                                  read_numbers(*bytes, number, found, header.fortran_order, target, progress);
-                              if (!read) return Archive::of_key(key, read.error());
-                              if (const auto end = check_end(*bytes); !end) return Archive::of_key(key, end.error());
-                              if (found.may_be_mono) merge_equal_colors(target);
-                              for (Stokes<double>& s : target.stokes) s = target.origin.convention.to_ours(s);
-                              if (is_ours) return read_companions(archive, header.shape.back(), target);
-                              return Done{};
-                          }};
+    return UnfilledPicture{std::move(known),
+                           [archive = std::move(archive), bytes = std::shared_ptr<ByteSource>(std::move(member.bytes)),
+                            number = format.value(), found = std::move(layout).value(), header = member.header, is_ours,
+                            key](StokesImage& target, const ReadProgress& progress) -> Result<Done> {
+                               const auto read =
+                                   read_numbers(*bytes, number, found, header.fortran_order, target, progress);
+                               if (!read) return Archive::of_key(key, read.error());
+                               if (const auto end = check_end(*bytes); !end) return Archive::of_key(key, end.error());
+                               if (found.may_be_mono) merge_equal_colors(target);
+                               for (Stokes<double>& s : target.stokes) s = target.origin.convention.to_ours(s);
+                               if (is_ours) return read_companions(archive, header.shape.back(), target);
+                               return Done{};
+                           }};
 }
 
 }  // namespace
 
-Result<PictureReading> open_npz(const std::filesystem::path& path, std::string_view layout) {
+Result<UnfilledPicture> open_npz(const std::filesystem::path& path, std::string_view layout) {
     POL_TRY(Archive archive, Archive::open(path));
     POL_TRY(const std::vector<std::string> keys, stokes_keys(archive));
     if (keys.size() == 1) return open_array(std::move(archive), keys.front(), layout);

@@ -15,7 +15,7 @@
 namespace pol {
 
 /// A picture of which all but the numbers is known.
-struct PictureReading {
+struct UnfilledPicture {
     StokesImage image;  ///< size, bands and origin; no plane has memory
     /// Writes the numbers, and what only they tell of the origin, into a copy of `image` whose Stokes vectors are 0.
     /// Errors may have no file in their place: it is the picture's then.
@@ -38,14 +38,14 @@ inline constexpr const char* assumed_frame =
     "row "
     "is the top one: the file says nothing of it.";
 
-Result<PictureReading> open_npy(const std::filesystem::path& path, std::string_view layout);
-Result<PictureReading> open_npz(const std::filesystem::path& path, std::string_view layout);
-Result<PictureReading> open_fits(const std::filesystem::path& path);
+Result<UnfilledPicture> open_npy(const std::filesystem::path& path, std::string_view layout);
+Result<UnfilledPicture> open_npz(const std::filesystem::path& path, std::string_view layout);
+Result<UnfilledPicture> open_fits(const std::filesystem::path& path);
 /// One photograph, a mosaic, or one of a set whose others lie beside it (camera_reader.cpp).
-Result<PictureReading> open_png(const PictureSource& source);
+Result<UnfilledPicture> open_png(const PictureSource& source);
 /// Several photographs behind polarizers at source.angles_deg.
-Result<PictureReading> open_angles(const PictureSource& source);
+Result<UnfilledPicture> open_angles(const PictureSource& source);
 /// One .npy for each component, of rows and columns, or of R, G and B behind them.
-Result<PictureReading> open_components(const PictureSource& source);
+Result<UnfilledPicture> open_components(const PictureSource& source);
 
 }  // namespace pol

@@ -10,12 +10,12 @@ namespace {
 
 /// `axis` in the frame of the face: normal z, plane of incidence xz.
 InterfaceSetup into_calcite(const DVec3& axis, double incidence, const Turn& turn) {
-    return {air, calcite(turn(axis)), turn(face_normal), turn(polar_direction(incidence))};
+    return {air, calcite_crystal(turn(axis)), turn(face_normal), turn(polar_direction(incidence))};
 }
 
 InterfaceSetup out_of_calcite(double axis_to_wave, const Turn& turn) {
     const DVec3 s = turn(polar_direction(radians(20.0)));
-    return {calcite(beside(s, axis_to_wave)), air, turn(face_normal), s};
+    return {calcite_crystal(beside(s, axis_to_wave)), air, turn(face_normal), s};
 }
 
 constexpr double around = 0.7;  // some azimuth of the axis, radians

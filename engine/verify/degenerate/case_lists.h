@@ -28,7 +28,7 @@ inline const std::string of_waves = "power and ray of each wave";
 inline const std::string s0_s1 = "S0 and S1 of one rendered ray";
 
 inline const Dielectric<double> air = make_isotropic(1.0);
-inline Dielectric<double> calcite(const DVec3& axis) {
+inline Dielectric<double> calcite_crystal(const DVec3& axis) {
     return make_uniaxial(calcite_n_o, calcite_n_e, axis);
 }
 /// Of a face before it is turned.

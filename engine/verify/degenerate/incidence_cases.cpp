@@ -17,7 +17,7 @@ const DVec3 oblique_axis = unit(DVec3(1.0, 2.0, 3.0));  // in the frame of the f
 /// axis in the frame of the face: where the discriminant of PHYSICS.md 2.5
 /// vanishes.
 double end_of_e_sheet(const DVec3& axis) {
-    const Dielectric<double> crystal = calcite(axis);
+    const Dielectric<double> crystal = calcite_crystal(axis);
     const double eps_o = crystal.n * crystal.n;
     const double eps_e = crystal.n_e * crystal.n_e;
     const double delta = (crystal.n_e - crystal.n) * (crystal.n_e + crystal.n);
@@ -59,7 +59,7 @@ DegenerateCase critical_case(std::string name, std::string sentence, const Diele
 std::vector<DegenerateCase> critical_cases() {
     const Dielectric<double> dense = make_isotropic(2.5);
     const Dielectric<double> glass = make_isotropic(1.5);
-    const Dielectric<double> crystal = calcite(oblique_axis);
+    const Dielectric<double> crystal = calcite_crystal(oblique_axis);
     const DVec3 diagonal = unit(DVec3(1.0, 1.0, 1.0));
     const double o_critical = std::asin(crystal.n / dense.n);
     const double e_critical = std::asin(end_of_e_sheet(oblique_axis) / dense.n);
@@ -79,14 +79,14 @@ std::vector<DegenerateCase> critical_cases() {
         critical_case("critical-e-beyond", "With one of o and e evanescent power goes to the other waves only", dense,
                       crystal, e_critical, 1.0),
         critical_case("inhibited-reflection", "Where the reflected e wave ends, o alone takes all the power",
-                      calcite(diagonal), air, std::asin(end_of_e_sheet(diagonal) / crystal.n), 1.0),
+                      calcite_crystal(diagonal), air, std::asin(end_of_e_sheet(diagonal) / crystal.n), 1.0),
     };
 }
 
 }  // namespace
 
 std::vector<DegenerateCase> incidence_cases() {
-    const Dielectric<double> crystal = calcite(oblique_axis);
+    const Dielectric<double> crystal = calcite_crystal(oblique_axis);
     const std::string above = "angle above the face [rad]";
     const std::string transmittance = "transmitted powers, each to its own size";
     std::vector<DegenerateCase> cases = {
@@ -125,7 +125,7 @@ std::vector<DegenerateCase> incidence_cases() {
          "the cosine",
          above, transmittance, same_formulas, decades(-1, -16, 2),
          [](double angle, const Turn&) {
-             return interface_experiment(grazing(calcite({0.6, 0.8, 0.0}), make_isotropic(1.8), angle),
+             return interface_experiment(grazing(calcite_crystal({0.6, 0.8, 0.0}), make_isotropic(1.8), angle),
                                          InterfaceResults::transmitted_powers, Accuracy::relative);
          }},
         {"grazing-twin",
@@ -134,7 +134,7 @@ std::vector<DegenerateCase> incidence_cases() {
          above, transmittance, same_formulas, decades(-1, -16, 2),
          [](double angle, const Turn&) {
              return interface_experiment(
-                 grazing(calcite({0.6, 0.8, 0.0}), make_uniaxial(1.8, 1.9, DVec3(1.0, 2.0, 3.0)), angle),
+                 grazing(calcite_crystal({0.6, 0.8, 0.0}), make_uniaxial(1.8, 1.9, DVec3(1.0, 2.0, 3.0)), angle),
                  InterfaceResults::transmitted_powers, Accuracy::relative);
          }},
         {"backward-wave-normal", "Energy decides what arrives, also where the wave normal points away",

@@ -74,7 +74,7 @@ std::vector<DegenerateCase> index_cases() {
          "index of the liquid / n_o - 1", "sum of the fields of all waves, both sides", same_formulas,
          and_zero(decades(-1, -16)),
          [](double step, const Turn& turn) {
-             return meet(make_isotropic(calcite_n_o * (1.0 + step)), calcite(turn({0.0, 1.0, 0.0})), 0.7, turn,
+             return meet(make_isotropic(calcite_n_o * (1.0 + step)), calcite_crystal(turn({0.0, 1.0, 0.0})), 0.7, turn,
                          InterfaceResults::merged_fields);
          },
          usual_turns},
