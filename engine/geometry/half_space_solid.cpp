@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "core/result.h"
@@ -55,8 +56,18 @@ FacetHit HalfSpaceSolid::exit(const DVec3& o, const DVec3& d, int skip) const {
     return exit_planes(blocks_, o, d, skip);
 }
 
+bool HalfSpaceSolid::passes_by(const DVec3& o, const DVec3& d) const {
+    const DVec3 to_center = center_ - o;
+    const double distance2 = dot(to_center, to_center);
+    // 16 epsilon: the products of the last line round by 8 of distance2 |d|^2 in all.
+    const double reach2 = (1.0 + 1e-9) * (radius_ + slack_) * (radius_ + slack_) +
+                          16.0 * std::numeric_limits<double>::epsilon() * distance2;
+    const double ahead = dot(to_center, d);
+    return (distance2 - reach2) * dot(d, d) > std::max(ahead, 0.0) * ahead;
+}
+
 FacetHit HalfSpaceSolid::enter(const DVec3& o, const DVec3& d, int skip) const {
-    return skip >= 0 ? FacetHit{} : enter_planes(blocks_, o, d);
+    return skip >= 0 || passes_by(o, d) ? FacetHit{} : enter_planes(blocks_, o, d);
 }
 
 bool HalfSpaceSolid::contains(const DVec3& p, double margin) const {

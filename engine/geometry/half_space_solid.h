@@ -50,6 +50,8 @@ public:
 
 private:
     explicit HalfSpaceSolid(Mesh mesh);
+    /// Whether the ray surely stays outside the bounding sphere, and by far more than the scan of the planes may err.
+    bool passes_by(const DVec3& o, const DVec3& d) const;
 
     Mesh mesh_;
     DVec3 center_{};

@@ -110,6 +110,37 @@ TEST(HalfSpaceSolid, EveryInstructionSetGivesTheBitsOfThePlainLoop) {
     EXPECT_GE(targets, 2) << "this machine runs one instruction set only: nothing was compared";
 }
 
+// The ball test comes before the planes. Boxes have corners on their ball: rays through them, and just past them, at
+// every scale, from near and from 1e6 radii away, and with a ball far from the origin of the coordinates.
+TEST(HalfSpaceSolid, TheBallTurnsNoRayAwayThatMeetsAPlane) {
+    Dice random = dice(7);
+    std::size_t met = 0;
+    for (const double size : {1e-6, 1.0, 1e6}) {
+        for (const double offset : {0.0, 1e3}) {
+            DMat4 placed(size);
+            placed[3] = glm::dvec4(offset * size, -offset * size, offset * size, 1.0);
+            const auto solid =
+                HalfSpaceSolid::from_mesh(transformed(make_mesh(BoxShape{}).value(), placed).value()).value();
+            for (int i = 0; i < 40000; ++i) {
+                const DVec3 corner = solid.vertices()[static_cast<std::size_t>(i) % solid.vertices().size()];
+                const double past = (i % 3 - 1) * std::pow(10.0, -16.0 + 15.0 * random.next());
+                const DVec3 aim = corner + past * (corner - solid.center());
+                const double distance = solid.radius() * std::pow(10.0, 0.5 + 5.5 * random.next());
+                const DVec3 outside = aim + distance * random.direction();
+                const DVec3 towards = unit(aim - outside);
+                const FacetHit expected = plain_enter(solid, outside, towards);
+                const FacetHit found = solid.enter(outside, towards, -1);
+                ASSERT_EQ(found.facet, expected.facet) << size << ' ' << offset << ' ' << i;
+                if (expected) {
+                    ASSERT_EQ(found.distance, expected.distance);
+                    ++met;
+                }
+            }
+        }
+    }
+    EXPECT_GE(met, 20000U);
+}
+
 TEST(HalfSpaceSolid, OfExactlyTiedFacetsTheLowestIndexWins) {
     const EveryTarget restore;
     const HalfSpaceSolid cube = HalfSpaceSolid::from_mesh(make_mesh(BoxShape{{2.0, 2.0, 2.0}}).value()).value();
