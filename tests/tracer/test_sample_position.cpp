@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "tracer/sample_task.h"
+
+namespace pol {
+namespace {
+
+/// Samples number `first`, first + 2, ... of a pixel: the half that `first` belongs to.
+std::vector<DVec2> half_of(std::uint64_t seed, std::uint32_t pixel, std::uint32_t first, std::size_t count) {
+    std::vector<DVec2> points;
+    for (std::uint32_t sample = first; points.size() < count; sample += 2)
+        points.push_back(sample_position(SampleMode::area, seed, pixel, sample));
+    return points;
+}
+
+TEST(SamplePosition, EveryHalfHasOneSampleInEveryBoxOfTheNet) {
+    constexpr int log2_count = 8;
+    constexpr std::uint32_t count = 1U << log2_count;
+    for (std::uint32_t pixel = 0; pixel < 20; ++pixel) {
+        for (const std::uint32_t first : {1U, 2U, 1U + 2 * count, 2U + 6 * count}) {
+            const std::vector<DVec2> points = half_of(pixel % 3, pixel, first, count);
+            for (int m = 0; m <= log2_count; ++m) {
+                std::set<std::pair<int, int>> boxes;
+                for (const DVec2& p : points) {
+                    ASSERT_GT(p.x, 0.0);
+                    ASSERT_LT(p.x, 1.0);
+                    boxes.emplace(static_cast<int>(std::ldexp(p.x, m)),
+                                  static_cast<int>(std::ldexp(p.y, log2_count - m)));
+                }
+                EXPECT_EQ(boxes.size(), count) << "pixel " << pixel << ", from sample " << first << ", columns 2^" << m;
+            }
+        }
+    }
+}
+
+// Of n independent uniform numbers the mean of a function of variance v has the standard deviation sqrt(v/n).
+TEST(SamplePosition, OverThePixelsEachSampleIsUniformAndTheHalvesAreIndependent) {
+    constexpr int pixels = 40000;
+    for (const std::uint32_t sample : {1U, 2U, 3U, 6U, 63U, 1000U}) {
+        double x = 0.0, y = 0.0, xy = 0.0, halves = 0.0, neighbors = 0.0;
+        DVec2 before(0.0);
+        for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+            const DVec2 p = sample_position(SampleMode::area, 5, pixel, sample) - 0.5;
+            const DVec2 other = sample_position(SampleMode::area, 5, pixel, sample + 1) - 0.5;
+            x += p.x;
+            y += p.y;
+            xy += p.x * p.y;
+            halves += p.x * other.x;
+            neighbors += p.x * before.x;
+            before = p;
+        }
+        const double of_one = std::sqrt(pixels / 12.0);
+        const double of_product = std::sqrt(pixels) / 12.0;
+        EXPECT_LT(std::abs(x), 4.0 * of_one) << sample;
+        EXPECT_LT(std::abs(y), 4.0 * of_one) << sample;
+        EXPECT_LT(std::abs(xy), 4.0 * of_product) << sample;
+        EXPECT_LT(std::abs(halves), 4.0 * of_product) << sample;
+        EXPECT_LT(std::abs(neighbors), 4.0 * of_product) << sample;
+    }
+}
+
+TEST(SamplePosition, SampleZeroIsTheCentreAndNoOtherIs) {
+    EXPECT_EQ(sample_position(SampleMode::area, 1, 7, 0), DVec2(0.5));
+    EXPECT_EQ(sample_position(SampleMode::point, 1, 7, 5), DVec2(0.5));
+    for (std::uint32_t sample = 1; sample < 100000; ++sample) {
+        const DVec2 p = sample_position(SampleMode::area, 1, 7, sample);
+        ASSERT_NE(p.x, 0.5);
+        ASSERT_NE(p.y, 0.5);
+    }
+}
+
+}  // namespace
+}  // namespace pol
