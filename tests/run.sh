@@ -148,7 +148,7 @@ for name in "${steps[@]}"; do
         ;;
     asan)
         wrap=("${unrandomized[@]}")
-        step "build asan" build asan all && step "test asan" run_tests asan 900 --label-exclude slow
+        step "build asan" build asan all && step "test asan" run_tests asan 1500 --label-exclude slow
         ;;
     tsan)
         wrap=("${unrandomized[@]}")

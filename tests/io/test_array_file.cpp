@@ -75,7 +75,11 @@ TEST_P(EverySample, IsRecognisedAsItselfAndHasTheExpectedNumbers) {
                 const Stokes<double>& s = image.at(b, image.pixel(x, y));
                 const std::array<double, 4> found{s.s0, s.s1, s.s2, s.s3};
                 for (unsigned i = 0; i < 4; ++i) {
-                    const double truth = about.known.has(i) ? share * expected["stokes"][y][x][i].get<double>() : 0.0;
+                    const double truth =
+                        about.known.has(i)
+                            ? share * expected["stokes"][static_cast<std::size_t>(y)][static_cast<std::size_t>(x)][i]
+                                          .get<double>()
+                            : 0.0;
                     EXPECT_NEAR(about.unit * found[i], truth,
                                 decimals + about.absolute + about.relative * std::abs(truth))
                         << about.name << " band " << b << " pixel " << x << "," << y << " S" << i;

@@ -21,7 +21,7 @@
 namespace pol {
 namespace {
 
-constexpr double noise = 1e-12;
+constexpr double shader_noise = 1e-12;
 
 /// A Stokes vector and what may be missing or too much, as the shader sees them.
 struct Input {
@@ -179,7 +179,7 @@ TEST_F(ShaderFormulas, DegreesOfPolarizationAgreeWithTheEngine) {
     const auto results = evaluate(all, "result = vec4(m.dop, m.dolp, m.docp, m.ellipticity);");
     ASSERT_EQ(results.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Measures<double> m = measure(stokes_of(all[i]), noise);
+        const Measures<double> m = measure(stokes_of(all[i]), shader_noise);
         expect_near(results[i][0], m.dop, promised, all[i], "DoP");
         expect_near(results[i][1], m.dolp, promised, all[i], "DoLP");
         expect_near(results[i][2], m.docp, promised, all[i], "DoCP");
@@ -192,7 +192,7 @@ TEST_F(ShaderFormulas, AnglesAgreeWithTheEngine) {
     const auto results = evaluate(all, "result = vec4(m.azimuth, m.ellipticity_angle, m.chirality, 0.0);");
     ASSERT_EQ(results.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Measures<double> m = measure(stokes_of(all[i]), noise);
+        const Measures<double> m = measure(stokes_of(all[i]), shader_noise);
         expect_near(results[i][0], m.azimuth, promised, all[i], "azimuth");
         expect_near(results[i][1], m.ellipticity_angle, promised, all[i], "ellipticity angle");
         expect_near(results[i][2], std::sin(2.0 * m.ellipticity_angle), promised, all[i], "S3/p");
@@ -215,7 +215,7 @@ TEST_F(ShaderFormulas, TellWhatHasNoPolarizationAndWhatIsNoLight) {
     const auto results = evaluate(all, "result = vec4(m.is_light, m.has_light, m.has_polarization, m.has_azimuth);");
     ASSERT_EQ(results.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Measures<double> m = measure(stokes_of(all[i]), noise);
+        const Measures<double> m = measure(stokes_of(all[i]), shader_noise);
         EXPECT_EQ(results[i][0] == 1.0F, std::isfinite(m.dop)) << i;
         EXPECT_EQ(results[i][1] == 1.0F, m.has_light) << i;
         EXPECT_EQ(results[i][2] == 1.0F, m.has_polarization) << i;
@@ -243,7 +243,7 @@ TEST_F(ShaderFormulas, BarsAgreeWithTheEngine) {
             expect_near(shares[i][3], bars.docp.high, 0.0, all[i], "most DoCP", promised);
         }
         const double distance = polarized_part(stokes_of(all[i]));
-        if (!measure(stokes_of(all[i]), noise).has_polarization || just_reaches(all[i], distance)) continue;
+        if (!measure(stokes_of(all[i]), shader_noise).has_polarization || just_reaches(all[i], distance)) continue;
         expect_near(ellipses[i][0], bars.ellipticity.low, 0.0, all[i], "least ellipticity", promised);
         expect_near(ellipses[i][1], bars.ellipticity.high, 0.0, all[i], "most ellipticity", promised);
         expect_near(ellipses[i][2], bars.ellipticity_angle.low, 0.0, all[i], "least ellipticity angle", promised);
@@ -261,7 +261,7 @@ TEST_F(ShaderFormulas, HalfWidthsOfBarsAgreeWithTheEngineHoweverSmall) {
     ASSERT_EQ(results.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Stokes<double> s = stokes_of(all[i]);
-        const Measures<double> m = measure(s, noise);
+        const Measures<double> m = measure(s, shader_noise);
         if (!m.has_light) continue;
         const auto bars = measure_bounds<double>(s, all[i].missing, all[i].surplus);
         expect_near(results[i][0], half_width(bars.dop, m.dop), promised, all[i], "bar of DoP", 4e-16);
