@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/pictures/picture_reading.h"
 namespace pol::exr {
 namespace {
 
