@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "io/pictures/picture_reading.h"
+
 namespace pol::exr {
 namespace {
 
