@@ -127,7 +127,7 @@ TEST(HalfSpaceSolid, TheBallTurnsNoRayAwayThatMeetsAPlane) {
                 const DVec3 aim = corner + past * (corner - solid.center());
                 const double distance = solid.radius() * std::pow(10.0, 0.5 + 5.5 * random.next());
                 const DVec3 outside = aim + distance * random.direction();
-                const DVec3 towards = unit(aim - outside);
+                const DVec3 towards = std::pow(10.0, 2.0 * random.next() - 1.0) * unit(aim - outside);
                 const FacetHit expected = plain_enter(solid, outside, towards);
                 const FacetHit found = solid.enter(outside, towards, -1);
                 ASSERT_EQ(found.facet, expected.facet) << size << ' ' << offset << ' ' << i;
