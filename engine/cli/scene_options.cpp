@@ -91,6 +91,10 @@ std::optional<Error> set(const RenderSetting& setting, const GivenSetting& given
                               (settings.*kind.impose)(std::get<int>(given));
                               return none;
                           },
+                          [&](const UsualSetting& kind) -> Problem {
+                              settings.*kind.value = std::get<int>(given);
+                              return none;
+                          },
                           [&](const SeedSetting& kind) -> Problem {
                               settings.*kind.value = std::get<std::uint64_t>(given);
                               return none;
@@ -127,6 +131,7 @@ void add_scene_options(ProgramCommand command, SceneOptions& options) {
                        [&](const NumberSetting& /*kind*/) { add_setting<double>(command, setting, options); },
                        [&](const WholeSetting& /*kind*/) { add_setting<int>(command, setting, options); },
                        [&](const LimitSetting& /*kind*/) { add_setting<int>(command, setting, options); },
+                       [&](const UsualSetting& /*kind*/) { add_setting<int>(command, setting, options); },
                        [&](const SeedSetting& /*kind*/) {
                            add_setting<std::uint64_t>(command, setting, options).check(seed_problem);
                        },

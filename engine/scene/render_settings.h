@@ -21,9 +21,9 @@ struct RenderSettings {
     std::vector<double> wavelengths_nm{580.0};
     SampleMode mode = SampleMode::point;
     int samples_per_pixel = 1;
-    double residual = 1e-3;    ///< largest share of a pixel that may stay untraced
-    std::optional<int> depth;  ///< the paper's depth limit; none: cut by energy alone
-    int node_budget = 1000;    ///< branches a sample may follow before its random tail
+    double residual = 1e-3;          ///< largest share of a pixel that may stay untraced
+    std::optional<int> depth;        ///< the paper's depth limit; none: cut by energy alone
+    std::optional<int> node_budget;  ///< branches a sample may follow before its random tail; none: usual_node_budget
     std::uint64_t seed = 0;
     bool unpolarized = false;  ///< light is unpolarized again after every surface, as renderers without polarization do
     /// The samples of a pixel that make its picture have the numbers first_sample() to last_sample(). Sample 0 is the
@@ -31,6 +31,12 @@ struct RenderSettings {
     /// sample in a place that is always the same would pull the mean towards what is there.
     [[nodiscard]] int first_sample() const { return mode == SampleMode::area ? 1 : 0; }
     [[nodiscard]] int last_sample() const { return first_sample() + samples_per_pixel - 1; }
+
+    /// Branches that pay: a point picture averages nothing over a pixel, so that all that its tails scatter is seen. In
+    /// an area picture the samples of a pixel average the tails too, and many short trees tell more than a few long
+    /// ones: squared error times time is lowest at 5 to 20 branches in crystals, 10 to 30 times below that of 1000.
+    [[nodiscard]] int usual_node_budget() const { return mode == SampleMode::area ? 12 : 1000; }
+    [[nodiscard]] int node_budget_in_force() const { return node_budget.value_or(usual_node_budget()); }
 
     /// The paper's mode: the depth alone cuts the tree. Residual and node budget can be set again afterwards.
     void cut_by_depth_alone(int limit) {
@@ -44,7 +50,7 @@ struct RenderSettings {
         const RenderSettings usual;
         depth.reset();
         residual = usual.residual;
-        node_budget = usual.node_budget;
+        node_budget.reset();
     }
 
     /// The paper's depth of 9 makes 3^9 = 19683 leaves in a crystal, 4^9 = 262144 in a twin. Deeper trees than this

@@ -57,7 +57,8 @@ const std::vector<RenderSetting>& render_settings() {
          LimitSetting{&RenderSettings::depth, &RenderSettings::cut_by_depth_alone, &RenderSettings::cut_by_energy, 0,
                       1000000, 9}},
         {"node_budget", "node_budget", "branch budget", "Branches to follow before one random path stands for the rest",
-         "leave it out for the default, 1000", WholeSetting{&RenderSettings::node_budget, 1, 1 << 30, 10.0}},
+         "leave it out for the default: 1000 in mode point, 12 in mode area",
+         UsualSetting{&RenderSettings::node_budget, &RenderSettings::node_budget_in_force, 1, 1 << 30, 1.0}},
         {"seed", "seed", "seed", "Seed of the random numbers", "", SeedSetting{&RenderSettings::seed}},
         {"unpolarized", "unpolarized", "forget polarization",
          "Forget polarization at every surface: what a renderer without it would show", "",
@@ -110,6 +111,9 @@ std::optional<Error> setting_problem(const RenderSetting& setting, const RenderS
                           [&](const LimitSetting& kind) -> Problem {
                               const std::optional<int>& value = settings.*kind.value;
                               return value ? limits_problem(*value, kind.least, kind.most, setting.hint) : std::nullopt;
+                          },
+                          [&](const UsualSetting& kind) {
+                              return limits_problem((settings.*kind.in_force)(), kind.least, kind.most, setting.hint);
                           },
                           [&](const SeedSetting& /*kind*/) -> Problem { return std::nullopt; },
                           [&](const FlagSetting& /*kind*/) -> Problem { return std::nullopt; },

@@ -58,6 +58,15 @@ struct LimitSetting {
     int usual;
 };
 
+/// A whole number; without it, one that follows from other settings is in force.
+struct UsualSetting {
+    std::optional<int> RenderSettings::*value;
+    int (RenderSettings::*in_force)() const;
+    int least;
+    int most;
+    double per_point;
+};
+
 /// Any number of 64 bit.
 struct SeedSetting {
     std::uint64_t RenderSettings::*value;
@@ -69,7 +78,7 @@ struct FlagSetting {
 };
 
 using SettingKind = std::variant<SizeSetting, WavelengthsSetting, ChoiceSetting, NumberSetting, WholeSetting,
-                                 LimitSetting, SeedSetting, FlagSetting>;
+                                 LimitSetting, UsualSetting, SeedSetting, FlagSetting>;
 
 struct RenderSetting {
     std::string_view key;        ///< in scene files and in the attribute `settings` of pictures

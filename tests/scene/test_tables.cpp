@@ -70,6 +70,7 @@ TEST(SettingTable, LimitsBelongToWhatIsAllowedAndWhatIsBeyondComesWithAHint) {
                        [&](const NumberSetting& kind) { try_limits(kind, 1e-9); },
                        [&](const WholeSetting& kind) { try_limits(kind, 1); },
                        [&](const LimitSetting& kind) { try_limits(kind, 1); },
+                       [&](const UsualSetting& kind) { try_limits(kind, 1); },
                        [](const SeedSetting&) {},
                        [](const FlagSetting&) {},
                    },

@@ -258,6 +258,22 @@ void limit_field(EditForm& form, const std::string& label, const std::string& he
     if (render.*kind.value) form.whole(label, *(render.*kind.value), 0.1F, help.c_str());
 }
 
+/// The number in force; one that was set can be given back.
+void usual_field(EditForm& form, const std::string& label, const std::string& help, const UsualSetting& kind) {
+    RenderSettings& render = form.scene.render;
+    int number = (render.*kind.in_force)();
+    const bool changed = ImGui::DragInt(label.c_str(), &number, static_cast<float>(kind.per_point));
+    if (changed) render.*kind.value = number;
+    form.after(label, changed, help.c_str());
+    if (!(render.*kind.value)) return;
+    ImGui::SameLine();
+    if (ImGui::SmallButton(("usual##" + label).c_str())) {
+        (render.*kind.value).reset();
+        form.apply(label);
+    }
+    name_widget("field usual " + label);
+}
+
 void setting_field(EditForm& form, const RenderSetting& setting, std::string& wavelengths) {
     RenderSettings& render = form.scene.render;
     const std::string label(setting.label);
@@ -275,6 +291,7 @@ void setting_field(EditForm& form, const RenderSetting& setting, std::string& wa
                 form.whole(label, render.*kind.value, static_cast<float>(kind.per_point), help.c_str());
             },
             [&](const LimitSetting& kind) { limit_field(form, label, help, kind); },
+            [&](const UsualSetting& kind) { usual_field(form, label, help, kind); },
             [&](const SeedSetting& kind) {
                 const bool changed = ImGui::InputScalar(label.c_str(), ImGuiDataType_U64, &(render.*kind.value));
                 form.after(label, changed, help.c_str());

@@ -24,6 +24,7 @@ std::string attribute_text(const RenderSetting& setting, const RenderSettings& s
             [&](const NumberSetting& kind) { return with_key(s.*kind.value); },
             [&](const WholeSetting& kind) { return with_key(s.*kind.value); },
             [&](const LimitSetting& kind) { return s.*kind.value ? with_key(*(s.*kind.value)) : with_key("none"); },
+            [&](const UsualSetting& kind) { return with_key((s.*kind.in_force)()); },
             [&](const SeedSetting& kind) { return with_key(s.*kind.value); },
             [&](const FlagSetting& kind) { return std::string(s.*kind.value ? setting.key : ""); },
         },

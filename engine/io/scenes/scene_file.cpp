@@ -84,6 +84,7 @@ void read_setting(const RenderSetting& setting, const YamlValue& value, RenderSe
                    [&](const NumberSetting& kind) { render.*kind.value = value.number(); },
                    [&](const WholeSetting& kind) { render.*kind.value = value.whole(); },
                    [&](const LimitSetting& kind) { (render.*kind.impose)(value.whole()); },
+                   [&](const UsualSetting& kind) { render.*kind.value = value.whole(); },
                    [&](const SeedSetting& kind) { render.*kind.value = value.natural64(); },
                    [&](const FlagSetting& kind) { render.*kind.value = value.truth(); },
                },

@@ -251,6 +251,10 @@ std::string camera_text(const Camera& camera) {
            "\n";
 }
 
+std::string text_if_set(const std::optional<int>& number) {
+    return number ? std::to_string(*number) : std::string();
+}
+
 /// Empty: it is not written, which means the same.
 std::string setting_text(const RenderSetting& setting, const RenderSettings& render) {
     return std::visit(Overloaded{
@@ -264,10 +268,8 @@ std::string setting_text(const RenderSetting& setting, const RenderSettings& ren
                           },
                           [&](const NumberSetting& kind) { return number_text(render.*kind.value); },
                           [&](const WholeSetting& kind) { return std::to_string(render.*kind.value); },
-                          [&](const LimitSetting& kind) {
-                              const std::optional<int>& limit = render.*kind.value;
-                              return limit ? std::to_string(*limit) : std::string();
-                          },
+                          [&](const LimitSetting& kind) { return text_if_set(render.*kind.value); },
+                          [&](const UsualSetting& kind) { return text_if_set(render.*kind.value); },
                           [&](const SeedSetting& kind) { return std::to_string(render.*kind.value); },
                           [&](const FlagSetting& kind) { return std::string(render.*kind.value ? "on" : ""); },
                       },

@@ -52,7 +52,7 @@ void mirror(Sheet& sheet) {
 
 Scene small(Scene scene, int side) {
     scene.render.width = scene.render.height = side;
-    scene.render.node_budget = std::min(scene.render.node_budget, 1000);
+    scene.render.node_budget = std::min(scene.render.node_budget_in_force(), 1000);
     scene.render.samples_per_pixel = std::min(scene.render.samples_per_pixel, 4);
     return scene;
 }
