@@ -35,6 +35,10 @@ public:
     /// by a rounding error counts as entering if the entry is nearer than the exit (distance slightly negative).
     FacetHit enter(const DVec3& o, const DVec3& d, int skip) const;
 
+    /// Whether the ray surely stays outside the bounding sphere, and by far more than the scan of the planes may err:
+    /// it does not enter.
+    bool passes_by(const DVec3& o, const DVec3& d) const;
+
     /// Whether `p` is inside every plane by more than `margin`; a negative margin lets points slightly outside in.
     bool contains(const DVec3& p, double margin) const;
 
@@ -50,9 +54,6 @@ public:
 
 private:
     explicit HalfSpaceSolid(Mesh mesh);
-    /// Whether the ray surely stays outside the bounding sphere, and by far more than the scan of the planes may err.
-    bool passes_by(const DVec3& o, const DVec3& d) const;
-
     Mesh mesh_;
     DVec3 center_{};
     double radius_ = 0.0;

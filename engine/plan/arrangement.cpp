@@ -159,6 +159,10 @@ private:
             if (reach_.into(region, plan_.surfaces[i].shape))
                 add(plan_.solid_count() + static_cast<int>(i), plan_.surfaces[i].shape, region.surfaces);
         }
+        region.is_open = region.members.empty() && meshes.empty() &&
+                         std::none_of(region.surfaces.begin(), region.surfaces.end(), [&](int body) {
+                             return std::holds_alternative<SheetRole>(plan_.surface(body).role);
+                         });
         if (meshes.empty()) return Done{};
         for (std::size_t mesh = 0; mesh < region.caster_body.size(); ++mesh)
             if (has(region.members, region.caster_body[mesh]))

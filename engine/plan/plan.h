@@ -50,7 +50,9 @@ struct Region {
     std::unique_ptr<const RayCaster> caster;  ///< the meshes among them, or null
     std::vector<int> caster_body;             ///< body of each mesh of the caster
     std::vector<LeftFacet>
-        caster_inside;         ///< its meshes that a ray in this region is inside of, at most max_nested_meshes
+        caster_inside;  ///< its meshes that a ray in this region is inside of, at most max_nested_meshes
+    /// Outside of all solids, and without meshes and sheets: a ray here that enters none of `entries` ends.
+    bool is_open = false;
     std::vector<int> toggled;  ///< by solid: the region on the other side of its boundary; -1: cannot be
 };
 

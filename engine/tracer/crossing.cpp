@@ -179,6 +179,19 @@ Crossing next_crossing(const Plan& plan, const Region& region, const DVec3& orig
     return nearest;
 }
 
+bool misses_solids(const Plan& plan, const Region& region, const DVec3& origin, const DVec3& direction,
+                   const Left& left) {
+    return std::all_of(region.entries.begin(), region.entries.end(), [&](int body) {
+        if (left.body == body) return true;  // convex
+        return std::visit(Overloaded{
+                              [&](const HalfSpaceSolid& solid) { return solid.passes_by(origin, direction); },
+                              [&](const Sphere& sphere) { return sphere.enter(origin, direction, -1).facet < 0; },
+                              [](const MeshBody&) { return false; },
+                          },
+                          plan.solid(body).shape);
+    });
+}
+
 FarSide far_side(const Plan& plan, int region, const Crossing& crossing, const DVec3& point) {
     const auto toggle = [&](int from, int solid) {
         return from < 0 ? -1 : plan.regions[static_cast<std::size_t>(from)].toggled[static_cast<std::size_t>(solid)];

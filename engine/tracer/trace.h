@@ -4,9 +4,11 @@
 // Every open branch carries the matrix that takes light on it to the camera, and the weight w = tr(M^H M)/2 of that
 // matrix. At a lossless interface the weights of the children add to the parent's, so at every moment
 //     resolved + absorbed + open = 1,
-// and the light still missing from the pixel is positive semidefinite with trace at most open * L_max. The heaviest
-// branch is followed first until the open weight falls below the target. Where the node budget ends first, one
-// random path, chosen with probability proportional to weight, estimates the rest without bias.
+// and the light still missing from the pixel is positive semidefinite with trace at most open * L_max. A branch that is
+// surely on its way to a lamp, the background or a black surface ends as soon as it is born; of the others the heaviest
+// is followed first (NodeQueue) until the open weight falls below the target. A convex glass stone never has more than
+// one. Where the node budget ends first, one random path, chosen with probability proportional to weight, estimates the
+// rest without bias.
 //
 // The picture and its explanation run this same function with different observers (tracer/observers.h).
 #pragma once
@@ -80,25 +82,33 @@ public:
         next_id_ = 0;
         camera_n_ = medium_of(task.region).dielectric.n;
         queue_.clear();
-        open_root(task);
+        Node& node = current_;
+        open_root(task, node);
         // Where only some pixels' rays start inside one: compiling has refused what it found.
-        if (medium_of(task.region).dielectric.kind != MediumKind::isotropic) fail(queue_.pop());
+        bool going = medium_of(task.region).dielectric.kind == MediumKind::isotropic;
+        if (!going) fail(node);
 
         const double target = task.residual;
         const auto budget = static_cast<std::uint32_t>(task.node_budget);
         LeafReason cut = LeafReason::residual;
-        while (!queue_.empty() && queue_.open_weight() > target) {
+        std::uint32_t asked = 0;
+        while (going && node.weight + queue_.open_weight() > target) {
             if (result_.nodes >= budget) {
                 cut = LeafReason::node_budget;
                 break;
             }
-            if ((result_.nodes & 255U) == 255U && observer_.cancelled()) {
-                result_.cancelled = true;
-                return result_;
+            if (result_.nodes - asked >= nodes_between_questions) {
+                asked = result_.nodes;
+                if (observer_.cancelled()) {
+                    result_.cancelled = true;
+                    return result_;
+                }
             }
-            follow(queue_.pop());
-            for (int i = 0; i < children_.count; ++i) queue_.push(children_.node[i]);
+            follow(node);
+            end_short_branches();
+            going = go_on(node);
         }
+        if (going) queue_.push(node);
         const double open = close_queue(cut);
         if (cut == LeafReason::node_budget)
             follow_tail(task, open);
@@ -116,8 +126,8 @@ private:
         return group_->media[static_cast<std::size_t>(region(region_index).medium)];
     }
 
-    void open_root(const TraceTask& task) {
-        Node root;
+    void open_root(const TraceTask& task, Node& root) {
+        root = {};
         root.origin = task.ray.origin;
         root.wave.ray = task.ray.direction;
         root.wave.k = task.ray.direction * camera_n_;
@@ -128,17 +138,56 @@ private:
         root.region = task.region;
         root.id = next_id_++;
         observer_.opened(root, -1, Interaction::camera);
-        queue_.push(root);
     }
 
     void leaf(const Node& node, LeafReason reason, std::span<const Stokes<double>> light = {}) {
         observer_.ended(node, reason, light);
     }
 
+    /// Takes the heaviest open branch out of children_ and the queue; false: there is none. A child goes before
+    /// branches of its bucket, so that the kernel stays in a stone that traps light.
+    bool go_on(Node& node) {
+        int heaviest = 0;
+        for (int i = 1; i < children_.count; ++i)
+            if (children_.node[i].weight > children_.node[heaviest].weight) heaviest = i;
+        if (!queue_.empty() &&
+            (children_.count == 0 || queue_.top() > NodeQueue::bucket(children_.node[heaviest].weight))) {
+            queue_.pop(node);
+            for (int i = 0; i < children_.count; ++i) queue_.push(children_.node[i]);
+            return true;
+        }
+        if (children_.count == 0) return false;
+        for (int i = 0; i < children_.count; ++i)
+            if (i != heaviest) queue_.push(children_.node[i]);
+        node = children_.node[heaviest];
+        return true;
+    }
+
+    /// Ends the children that surely have no interface ahead of them.
+    void end_short_branches() {
+        int kept = 0;
+        for (int i = 0; i < children_.count; ++i) {
+            Node& child = children_.node[i];
+            const Region& here = region(child.region);
+            if (here.is_open && misses_solids(plan_, here, child.origin, child.wave.ray, child.left)) {
+                ++result_.nodes;
+                advance(child);
+                continue;
+            }
+            if (kept != i) children_.node[kept] = child;
+            ++kept;
+        }
+        children_.count = kept;
+    }
+
     /// Follows a ray to its next interface; leaves go into the sums, branches into children_.
-    void follow(Node node) {
+    void follow(Node& node) {
         ++result_.nodes;
         children_.count = 0;
+        advance(node);
+    }
+
+    void advance(Node& node) {
         const int depth_limit = plan_.settings.depth.value_or(-1);
         for (;;) {
             const Region& here = region(node.region);
@@ -346,6 +395,7 @@ private:
     }
 
     static constexpr std::uint32_t first_tail_dimension = 16;
+    static constexpr std::uint32_t nodes_between_questions = 256;
 
     const Plan& plan_;
     Observer& observer_;
@@ -355,6 +405,7 @@ private:
     TraceResult result_{};
     int next_id_ = 0;
     double camera_n_ = 1.0;
+    Node current_;
     NodeQueue queue_;
     Branches children_;
     std::vector<Stokes<double>> light_;
