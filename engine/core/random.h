@@ -21,13 +21,13 @@ struct RandomKey {
     std::uint64_t seed = 0;
     std::uint32_t pixel = 0;
     std::uint32_t sample = 0;
-    std::uint32_t constants = 0;  ///< of matter at a wavelength: WavelengthGroup::key
+    std::uint32_t wavelength = 0;  ///< WavelengthGroup::key or ::places
 };
 
 constexpr std::uint64_t random_bits(const RandomKey& key, std::uint32_t dimension) {
     std::uint64_t h = mix_bits(key.seed + 0x9e3779b97f4a7c15ULL);
     h = mix_bits(h ^ ((std::uint64_t{key.pixel} << 32U) | key.sample));
-    return mix_bits(h + ((std::uint64_t{key.constants} << 32U) | dimension) * 0x9e3779b97f4a7c15ULL);
+    return mix_bits(h + ((std::uint64_t{key.wavelength} << 32U) | dimension) * 0x9e3779b97f4a7c15ULL);
 }
 
 /// Uniform in [0, 1), 53 bits.

@@ -171,18 +171,24 @@ std::uint32_t key_of(const std::vector<MediumAt>& media, const std::vector<Diele
     return static_cast<std::uint32_t>(key);
 }
 
-/// Wavelengths with equal constants of all media share a group.
+/// WavelengthGroup::places of a wavelength in a scene with dispersion.
+std::uint32_t places_of(double wavelength_nm) {
+    return static_cast<std::uint32_t>(mix_bits(std::bit_cast<std::uint64_t>(wavelength_nm))) | 1U;
+}
+
+/// Wavelengths with equal constants of all media share a group, if they share the places of their samples.
 Result<Done> group_wavelengths(const Scene& scene, const MediaTable& media, Plan& plan) {
     plan.medium_names = media.names();
     for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
         POL_TRY(auto at, media.at(plan.wavelengths_nm[w]));
         POL_TRY(const auto plates, plate_crystals(scene, plan, plan.wavelengths_nm[w]));
+        const std::uint32_t places = media.disperses() ? places_of(plan.wavelengths_nm[w]) : 0;
         std::size_t group = 0;
-        while (group < plan.groups.size() &&
-               !(plan.groups[group].media == at && same_plates(plan, static_cast<int>(group), plates)))
+        while (group < plan.groups.size() && !(plan.groups[group].media == at && plan.groups[group].places == places &&
+                                               same_plates(plan, static_cast<int>(group), plates)))
             ++group;
         if (group == plan.groups.size()) {
-            plan.groups.push_back({{}, at, key_of(at, plates)});
+            plan.groups.push_back({{}, at, key_of(at, plates), places});
             append_plates(plan, plates);
         }
         plan.groups[group].wavelengths.push_back(static_cast<int>(w));

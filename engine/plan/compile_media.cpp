@@ -10,6 +10,7 @@
 #include "core/overloaded.h"
 #include "core/result.h"
 #include "core/units.h"
+#include "scene/medium_fields.h"
 #include "scene/place.h"
 #include "spectrum/illuminant.h"
 
@@ -105,6 +106,20 @@ std::vector<std::string> MediaTable::names() const {
     std::vector<std::string> names;
     for (const Entry& entry : entries_) names.push_back(entry.medium.name);
     return names;
+}
+
+bool MediaTable::disperses() const {
+    return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+        bool any = false;
+        for_each_field(entry.medium.matter,
+                       Overloaded{[&](const auto&, const RefractiveIndex& index) {
+                                      any = any || std::visit(Overloaded{[](const ConstantIndex&) { return false; },
+                                                                         [](const DispersiveIndex&) { return true; }},
+                                                              index);
+                                  },
+                                  [](const auto&, const auto&) {}});
+        return any;
+    });
 }
 
 Result<std::vector<MediumAt>> MediaTable::at(double wavelength_nm) const {

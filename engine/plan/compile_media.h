@@ -22,6 +22,9 @@ public:
     /// Name of each entry.
     [[nodiscard]] std::vector<std::string> names() const;
 
+    /// Whether the index of some entry is given as a function of the wavelength.
+    [[nodiscard]] bool disperses() const;
+
     /// Optical constants of every entry at one wavelength.
     [[nodiscard]] Result<std::vector<MediumAt>> at(double wavelength_nm) const;
 

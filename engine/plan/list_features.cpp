@@ -74,7 +74,9 @@ void account_for_matter(const Plan& plan, Account& account) {
             });
             if (varies) dispersive.push_back(solid.name);
         }
-        if (dispersive.empty()) dispersive.emplace_back("a virtual crystal plate");
+        if (dispersive.empty())
+            dispersive.emplace_back(plan.groups[0].places != 0 ? "an index that is a function of the wavelength"
+                                                               : "a virtual crystal plate");
     }
     const std::string trees = std::to_string(plan.groups.size());
     account.add("dispersion", dispersive,

@@ -26,13 +26,17 @@ struct MediumAt {
     friend bool operator==(const MediumAt&, const MediumAt&) = default;
 };
 
-/// Wavelengths at which every medium in use has the same constants: they share one tree of rays.
+/// Wavelengths at which every medium in use has the same constants: they share one tree of rays. Where a medium in use
+/// has an index that depends on the wavelength, every wavelength has a group of its own.
 struct WavelengthGroup {
     std::vector<int> wavelengths;  ///< indices into Plan::wavelengths_nm, ascending
     std::vector<MediumAt> media;   ///< by index into Plan::medium_names
     /// Of its random numbers: follows from the constants alone, so that a wavelength has the same ones by itself, in
     /// any list, and with any others in its group.
     std::uint32_t key = 0;
+    /// Of the places of its samples in a pixel: 0, those that all wavelengths share, or in a scene with dispersion the
+    /// wavelength's own. Light refracts by what it is, not by what the scene's index is: twins keep their places.
+    std::uint32_t places = 0;
 };
 
 constexpr std::size_t max_nested_meshes = 8;

@@ -17,9 +17,11 @@ namespace pol {
 /// Sobol's sequence, Owen-scrambled apart for every pixel and half: each sample is uniform in the pixel, and the halves
 /// are two independent estimates of it, whose difference tells their error (film/picture_error.h). Each half is a
 /// (0,2)-sequence: 2^n of it from a multiple of 2^n on have one sample in every box of width 2^-m and height 2^(m-n).
-inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample) {
+/// `places` is WavelengthGroup::places: the noise of wavelengths that have places of their own averages out in a color.
+inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample,
+                             std::uint32_t places = 0) {
     if (mode == SampleMode::point || sample == 0) return {0.5, 0.5};
-    const RandomKey key{seed, pixel, 0, 0};
+    const RandomKey key{seed, pixel, 0, places};
     const std::uint32_t half = (sample - 1) % 2;
     const std::uint32_t step = (sample - 1) / 2;
     const auto coordinate = [&](std::uint32_t axis, std::uint32_t sobol) {
@@ -33,8 +35,9 @@ inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t 
 inline TraceTask sample_task(const Plan& plan, int x, int y, std::uint32_t sample, int group) {
     const auto pixel = static_cast<std::uint32_t>(y * plan.settings.width + x);
     TraceTask task;
-    task.key = {plan.settings.seed, pixel, sample, plan.groups[static_cast<std::size_t>(group)].key};
-    const DVec2 inside = sample_position(plan.settings.mode, plan.settings.seed, pixel, sample);
+    const WavelengthGroup& wavelengths = plan.groups[static_cast<std::size_t>(group)];
+    task.key = {plan.settings.seed, pixel, sample, wavelengths.key};
+    const DVec2 inside = sample_position(plan.settings.mode, plan.settings.seed, pixel, sample, wavelengths.places);
     task.ray = plan.camera.ray(x + inside.x, y + inside.y);
     task.group = group;
     task.region = plan.camera_region >= 0 ? plan.camera_region : plan.region_at(task.ray.origin);

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "support/render_scene.h"
 #include "tracer/sample_task.h"
 
 namespace pol {
@@ -90,6 +91,58 @@ TEST(SamplePosition, SampleZeroIsTheCentreAndNoOtherIs) {
         ASSERT_NE(p.x, 0.5);
         ASSERT_NE(p.y, 0.5);
     }
+}
+
+/// A prism of `medium`, seen at these wavelengths.
+std::shared_ptr<const Plan> prism_of(const std::string& medium, const std::string& wavelengths,
+                                     const std::string& unit = "mm") {
+    return test::plan_of(test::scene_of("unit: " + unit + R"(
+camera: {position: [1, -3, 2], target: [0, 0, 0], fov: 20}
+background: 1
+render: {size: [8, 8], mode: area, spp: 64, wavelengths: )" +
+                                        wavelengths + "}\nmedia: {matter: " + medium + R"(}
+objects: [{name: prism, shape: {box: {size: 1}}, medium: matter}]
+)"));
+}
+
+DVec3 direction(const Plan& plan, std::uint32_t sample, int wavelength) {
+    const int group = plan.group_of_wavelength[static_cast<std::size_t>(wavelength)];
+    return sample_task(plan, 3, 4, sample, group).ray.direction;
+}
+
+// The errors of X, Y and Z are sums over wavelengths: with common places they would add up, with their own they
+// average.
+TEST(SamplePosition, WhereLightDispersesEveryWavelengthHasPlacesOfItsOwnAndKeepsThemInAnyList) {
+    const auto both = prism_of("n-bk7", "[500, 600]");
+    const auto alone = prism_of("n-bk7", "600");
+    EXPECT_EQ(direction(*both, 0, 0), direction(*both, 0, 1)) << "the centre is common";
+    for (std::uint32_t sample = 1; sample < 64; ++sample) {
+        EXPECT_NE(direction(*both, sample, 0), direction(*both, sample, 1));
+        EXPECT_EQ(direction(*both, sample, 1), direction(*alone, sample, 0));
+    }
+}
+
+TEST(SamplePosition, WhereItDoesNotOneTreeServesAllWavelengthsAndAnAbsorbingTwinOfAnotherSizeKeepsItsPlaces) {
+    const auto clear = prism_of("1.5", "[500, 600]");
+    EXPECT_EQ(clear->groups.size(), 1U);
+    const auto dark = prism_of("{index: 1.5, absorption: {table: [[400, 1], [700, 3]]}}", "[500, 600]");
+    const auto larger = prism_of("{index: 1.5, absorption: {table: [[400, 1], [700, 3]]}}", "[500, 600]", "cm");
+    EXPECT_EQ(dark->groups.size(), 2U);
+    for (std::uint32_t sample = 1; sample < 64; ++sample) {
+        EXPECT_EQ(direction(*clear, sample, 0), direction(*clear, sample, 1));
+        for (const int wavelength : {0, 1})
+            EXPECT_EQ(direction(*dark, sample, wavelength), direction(*larger, sample, wavelength));
+    }
+}
+
+// The product of two independent numbers, uniform from -1/2 to 1/2, has the standard deviation 1/12.
+TEST(SamplePosition, ThePlacesOfTwoWavelengthsKnowNothingOfEachOther) {
+    double product = 0.0;
+    constexpr int pixels = 40000;
+    for (std::uint32_t pixel = 0; pixel < pixels; ++pixel)
+        product += (sample_position(SampleMode::area, 5, pixel, 1, 11).x - 0.5) *
+                   (sample_position(SampleMode::area, 5, pixel, 1, 13).x - 0.5);
+    EXPECT_LT(std::abs(product), 4.0 * std::sqrt(pixels) / 12.0);
 }
 
 }  // namespace
