@@ -59,6 +59,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
     ProgressLine line(request.quiet);
     RenderOutcome outcome;
     outcome.open_ended = open_ended;
+    bool goal_told = request.quiet;
     for (;;) {
         RenderOptions options;
         options.stop.error = request.error;
@@ -69,6 +70,8 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         do {
             renderer.wait_for(look_every_s);
             progress = renderer.progress();
+            if (progress.goal && !goal_told) remark(goal_text(*progress.goal));
+            goal_told = goal_told || progress.goal;
             const double expected = progress.seconds + progress.seconds_left.value_or(0.0);
             const double share = open_ended && progress.seconds_left ? progress.seconds / expected : progress.done;
             if (caught_signal == 0) line.show(share, progress.seconds);
@@ -85,7 +88,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         if (progress.reason == StopReason::memory) throw std::bad_alloc();
         if (progress.reason != StopReason::truncation) return outcome;
 
-        const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *request.error);
+        const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *progress.goal);
         if (!finer || (request.seconds && outcome.seconds >= *request.seconds)) return outcome;
         if (!request.quiet)
             remark(fmt::format("too much light is untraced: residual {:.3g} instead of {:.3g}\n", *finer,
@@ -199,9 +202,10 @@ void add_render_command(ProgramCommand app, int& exit_code) {
         "counts\n"
         "neither for --time nor for the time left.\n"
         "\n--error E: light that is not traced (a bound, for which the residual is refined) and too few samples (a\n"
-        "limit of confidence, 95 % over all looks) must each fall below half of E. It is looked at when the samples\n"
-        "have doubled, from 16 on. Mode area unless --mode says otherwise; without --spp, samples are added until\n"
-        "then. Exit code 10 if --time or --spp ends it before, or the picture stays black.\n"
+        "limit of confidence, 95 % over all looks) must each fall below its share of E: a few trees tell which split\n"
+        "costs least. It is looked at when the samples have doubled, from 16 on. Mode area unless --mode says\n"
+        "otherwise; without --spp, samples are added until then. Exit code 10 if --time or --spp ends it before, or\n"
+        "the picture stays black.\n"
         "\nExamples:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr --wavelengths 380:780:20\n"
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"

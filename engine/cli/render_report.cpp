@@ -70,7 +70,7 @@ Json error_json(const PictureError& error) {
             {"residual_max", error.residual_max}};
 }
 
-Json error_rule_json(const RenderRequest& request, const RenderOutcome& outcome) {
+Json error_rule_json(const RenderOutcome& outcome) {
     Json passes = Json::array();
     for (const ErrorReport& report : outcome.reports) {
         Json pass = {{"samples", report.samples}, {"seconds", report.seconds}};
@@ -79,8 +79,10 @@ Json error_rule_json(const RenderRequest& request, const RenderOutcome& outcome)
         pass["sampling_limit"] = limit ? number(*limit) : Json(nullptr);
         passes.push_back(pass);
     }
-    const auto last = last_to_fall(outcome.reports, *request.error);
-    return {{"target", *request.error},
+    const ErrorGoal& goal = *outcome.progress.goal;
+    const auto last = last_to_fall(outcome.reports, goal);
+    return {{"target", goal.error},
+            {"truncation_share", goal.truncation_share},
             {"last_to_fall", last ? Json(part_text(*last)) : Json(nullptr)},
             {"passes", passes}};
 }
@@ -108,6 +110,12 @@ void add_setting(Json& out, const RenderSetting& setting, const RenderSettings& 
 }
 
 }  // namespace
+
+std::string goal_text(const ErrorGoal& goal) {
+    return fmt::format(
+        "error {:.3g}: at most {:.2g} by light that is not traced, {:.2g} by sampling, which costs least\n", goal.error,
+        goal.truncation(), goal.sampling());
+}
 
 void print_error_report(const ErrorReport& report) {
     std::string sampling = report.error.sampling ? fmt::format("{:.3g} (68 %)", *report.error.sampling) : "not known";
@@ -151,7 +159,7 @@ Result<Done> write_statistics(const RenderRequest& request, const Plan& plan, co
     out["failures"] = s.failures;
     out["film_bytes_per_pixel"] = film_bytes_per_pixel;
     out["error"] = error_json(outcome.progress.film.error);
-    if (request.error) out["error_rule"] = error_rule_json(request, outcome);
+    if (request.error) out["error_rule"] = error_rule_json(outcome);
     out["stop_reason"] = stop_text(outcome);
     return write_file(request.statistics, out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -171,7 +179,7 @@ void print_picture(const RenderRequest& request, const RenderOutcome& outcome, c
                count_text(statistics.nodes), 100.0 * largest(image.residual), guessed);
     if (outcome.progress.reason != StopReason::error) return;
     const ErrorReport& report = outcome.reports.back();
-    const auto last = last_to_fall(outcome.reports, *request.error);
+    const auto last = last_to_fall(outcome.reports, *outcome.progress.goal);
     const std::string sampling = report.error.random_samples
                                      ? fmt::format(", {:.3g} (95 %) by sampling", sampling_limit(report).value_or(0.0))
                                      : (report.error.sampling ? "" : ", what random paths may miss included");
@@ -198,9 +206,10 @@ std::string shortfall(const RenderRequest& request, const RenderOutcome& outcome
             return fmt::format("the time limit came after {}; {} holds {}", after, printable(request.output), share);
         case StopReason::truncation:
             return fmt::format(
-                "no residual brings the light that is not traced below half of {:.3g} of the picture; {} holds what "
-                "was done\n  hint: a larger --node-budget, --mode area, or no --depth",
-                *request.error, printable(request.output));
+                "no residual brings the light that is not traced below {:.3g} of the picture, its share of {:.3g}; {} "
+                "holds "
+                "what was done\n  hint: a larger --node-budget, --mode area, or no --depth",
+                outcome.progress.goal->truncation(), *request.error, printable(request.output));
         case StopReason::dark:
             return fmt::format(
                 "no light in {} samples per pixel: a black picture has no relative error; {} holds what was done\n"

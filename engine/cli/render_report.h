@@ -39,6 +39,9 @@ struct RenderTiming {
     double output_s = 0.0;
 };
 
+/// One line: how an error goal is split.
+std::string goal_text(const ErrorGoal& goal);
+
 /// One line about the error after a pass, on stderr.
 void print_error_report(const ErrorReport& report);
 

@@ -40,17 +40,18 @@ bool is_same(const RenderTask& a, const RenderTask& b) {
 }  // namespace
 
 RenderJob::RenderJob(std::shared_ptr<const Plan> the_plan, Generation number, const RenderOptions& options,
-                     int tile_size)
+                     const std::optional<ErrorGoal>& goal, int tile_size)
     : plan(std::move(the_plan)),
       generation(number),
       tiles(cut_tiles(plan->settings.width, plan->settings.height, tile_size)),
       preview(preview_grid(*plan)),
       rules_(options.stop),
+      goal_(goal),
       order_(tiles.size()),
       importance_(*plan, preview),
       last_look_(Clock::now()) {
     std::iota(order_.begin(), order_.end(), 0);
-    if (rules_.error) next_report_ = 1;
+    if (goal_) next_report_ = 1;
     if (options.watch == Watch::headless) {
         queue_passes(0);
         return;
@@ -107,7 +108,7 @@ bool RenderJob::deliver(const TileTask& task, const RenderStatistics& statistics
 void RenderJob::report(const PictureError& error) {
     const std::uint32_t samples = next_report_;
     reports_.push_back({samples, seconds_, error});
-    const StopReason verdict = judge(reports_.back(), *rules_.error);
+    const StopReason verdict = judge(reports_.back(), *goal_);
     if (verdict != StopReason::none) return stop(verdict);
     if (samples == wanted()) return stop(StopReason::samples);
     next_report_ = next_look(samples, wanted());
@@ -155,13 +156,14 @@ RenderProgress RenderJob::progress(Clock::time_point now) const {
     for (const RenderTask& task : busy_)
         if (const auto* at = std::get_if<TileTask>(&task))
             progress.under_way.push_back(tiles[static_cast<std::size_t>(at->tile)]);
+    progress.goal = goal_;
     progress.reports = reports_;
 
     double left = rules_.seconds ? *rules_.seconds - seconds : std::numeric_limits<double>::infinity();
     if (progress.done > 0.0) left = std::min(left, seconds / progress.done - seconds);
-    if (!reports_.empty() && sampling_limit(reports_.back()) && rules_.error) {
+    if (!reports_.empty() && goal_ && sampling_limit(reports_.back())) {
         // Halves of quasi-random samples: the error falls like N^-0.75 (CUTTING.md 4).
-        const double factor = std::pow(2.0 * *sampling_limit(reports_.back()) / *rules_.error, 4.0 / 3.0);
+        const double factor = std::pow(*sampling_limit(reports_.back()) / goal_->sampling(), 4.0 / 3.0);
         left = std::min(left, std::max(0.0, reports_.back().seconds * factor - seconds));
     }
     if (progress.finished)

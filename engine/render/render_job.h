@@ -39,7 +39,9 @@ class RenderJob {
 public:
     using Clock = std::chrono::steady_clock;
 
-    RenderJob(std::shared_ptr<const Plan> plan, Generation generation, const RenderOptions& options, int tile_size);
+    /// `goal` is that of options.stop.error.
+    RenderJob(std::shared_ptr<const Plan> plan, Generation generation, const RenderOptions& options,
+              const std::optional<ErrorGoal>& goal, int tile_size);
 
     const std::shared_ptr<const Plan> plan;
     const Generation generation;
@@ -80,6 +82,7 @@ private:
     [[nodiscard]] std::uint32_t wanted() const { return static_cast<std::uint32_t>(plan->settings.samples_per_pixel); }
 
     StopRules rules_;
+    std::optional<ErrorGoal> goal_;
     std::deque<RenderTask> queue_;
     std::vector<RenderTask> busy_;
     std::vector<int> order_;  // of the tiles

@@ -42,6 +42,7 @@ struct RenderProgress {
     std::optional<double> seconds_left{};  ///< by the rule that is expected to end the job; empty until there is a clue
     FilmStatus film{};                     ///< samples per pixel, bound, sampling estimate
     std::vector<TileRect> under_way{};     ///< tiles that workers are at
+    std::optional<ErrorGoal> goal{};       ///< of the error rule
     std::vector<ErrorReport> reports{};    ///< of the error rule, in the order of samples
 };
 

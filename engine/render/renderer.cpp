@@ -52,13 +52,15 @@ Renderer::~Renderer() {
 }
 
 Generation Renderer::start(std::shared_ptr<const Plan> plan, const RenderOptions& options) {
+    std::optional<ErrorGoal> goal;
+    if (options.stop.error) goal = cheapest_goal(*plan, *options.stop.error);
     Generation generation = 0;
     {
         const std::scoped_lock lock(mutex_);
         if (job_) job_->stop(StopReason::cancelled);
         generation = ++generation_;
         film_.reset(film_layout(*plan, tile_size_), generation);
-        job_ = std::make_shared<RenderJob>(std::move(plan), generation, options, tile_size_);
+        job_ = std::make_shared<RenderJob>(std::move(plan), generation, options, goal, tile_size_);
     }
     changed_.notify_all();
     clock_.notify_all();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "film/picture_error.h"
+#include "render/error_goal.h"
 
 namespace pol {
 
@@ -15,9 +16,8 @@ struct StopRules {
     /// Seconds of rendering; pauses and a suspended program do not count.
     std::optional<double> seconds;
     /// Largest error of the picture, relative to it: the bound of truncation and the confidence limit of sampling
-    /// (sampling_limit) must each fall to half of it, so that their sum stays below whatever their signs. Looked at
-    /// when all pixels have the same number of samples, a power of two, so that the picture does not depend on threads
-    /// and clocks.
+    /// (sampling_limit) must each fall to its share of it (cheapest_goal). Looked at when all pixels have the same
+    /// number of samples, a power of two, so that the picture does not depend on threads and clocks.
     std::optional<double> error;
 };
 
@@ -63,21 +63,21 @@ inline constexpr std::uint32_t most_dark_samples = 4096;
 /// like no error.
 std::optional<double> sampling_limit(const ErrorReport& report);
 
-/// Whether that part is at most half of `target`.
-bool has_fallen(ErrorPart part, const ErrorReport& report, double target);
+/// Whether that part is at most its share of the goal.
+bool has_fallen(ErrorPart part, const ErrorReport& report, const ErrorGoal& goal);
 
 /// What the error rule says to a report: error (stop, reached), truncation or dark (stop, out of reach), or none (go
 /// on). Truncation is not judged before the light that it is relative to is known: the first samples may have met none.
-StopReason judge(const ErrorReport& report, double target);
+StopReason judge(const ErrorReport& report, const ErrorGoal& goal);
 
-/// The part that stayed too large the longest: the one that was still above half of `target` when the other was not,
-/// or both. Empty if neither ever was too large, or the last report does not reach the target.
-std::optional<ErrorPart> last_to_fall(const std::vector<ErrorReport>& reports, double target);
+/// The part that stayed too large the longest: the one that was still above its share of the goal when the other was
+/// not, or both. Empty if neither ever was too large, or the last report does not reach the goal.
+std::optional<ErrorPart> last_to_fall(const std::vector<ErrorReport>& reports, const ErrorGoal& goal);
 
-/// Residual (RenderSettings) that should bring truncation below its share of the target, from the one that did not:
+/// Residual (RenderSettings) that should bring truncation below its share of the goal, from the one that did not:
 /// the bound falls in proportion to it, with a margin because shares of a pixel fall short of the residual by a varying
 /// factor. Empty if no residual will: the light is missing for another reason (a depth limit, tails that count as
 /// bounds, failed samples, a black picture of mode point).
-std::optional<double> finer_residual(const ErrorReport& report, double residual, double target);
+std::optional<double> finer_residual(const ErrorReport& report, double residual, const ErrorGoal& goal);
 
 }  // namespace pol

@@ -95,7 +95,7 @@ TEST(Clock, AQuestionCountsTheTimeAndEndsNothing) {
     using std::chrono::milliseconds;
     RenderOptions options;
     options.stop.seconds = 0.5;
-    RenderJob job(small_plan(1), 1, options, 16);
+    RenderJob job(small_plan(1), 1, options, std::nullopt, 16);
     const auto later = RenderJob::Clock::now() + milliseconds(800);
     EXPECT_GT(job.progress(later).seconds, 0.7);
     EXPECT_FALSE(job.progress(later).finished);
@@ -107,7 +107,7 @@ TEST(Clock, AQuestionCountsTheTimeAndEndsNothing) {
 
 TEST(Clock, DoesNotCountASuspendedProgram) {
     using std::chrono::seconds;
-    RenderJob job(small_plan(1), 1, {}, 16);
+    RenderJob job(small_plan(1), 1, {}, std::nullopt, 16);
     const auto later = RenderJob::Clock::now() + seconds(60);
     EXPECT_LT(job.progress(later).seconds, 1.0);
     job.look(later);

@@ -74,8 +74,8 @@ void draw_stop_rules(const Document& document, Wishes& wishes) {
     const bool time =
         draw_rule("seconds", rules.seconds, 60.0, "Stops after this time. A change starts the render over.");
     const bool error = draw_rule("error", rules.error, 0.01,
-                                 "Stops when truncation (bound) and sampling (95 %) have each fallen to half of this "
-                                 "part of the picture. A change starts the render over.");
+                                 "Stops when truncation (bound) and sampling (95 %) have together fallen to this part "
+                                 "of the picture. A change starts the render over.");
     if (time || error) wishes.add([of = &document, rules](Session& s) { s.set_stop_rules(of, rules); });
 }
 
