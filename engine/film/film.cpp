@@ -31,6 +31,7 @@ void Film::reset(FilmLayout layout, Generation generation) {
         fresh->tiles.emplace_back();
         fresh->tiles.back().rect = rect;
     }
+    fresh->tiles_without_samples = fresh->tiles.size();
     fresh->layout = std::move(layout);
     fresh->generation = generation;
     const std::scoped_lock lock(mutex_);
@@ -44,7 +45,9 @@ bool Film::merge(const TileBuffer& pass) {
     const std::size_t index = sums_->tile_at(pass.rect.x0, pass.rect.y0);
     POL_EXPECTS(index == sums_->tile_at(pass.rect.x1 - 1, pass.rect.y1 - 1));
     TileSums& tile = sums_->tiles[index];
+    const bool first = tile.samples.empty();
     sums_->add(tile, pass);
+    if (first && --sums_->tiles_without_samples == 0) sums_->forget_preview();
     tile.version = ++newest_;
     return true;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "core/contract.h"
 #include "polarization/coherence_matrix.h"
@@ -235,17 +237,51 @@ std::optional<TileSnapshot> FilmSums::look(const TileSums& tile, const TileRect&
     return snapshot;
 }
 
+void FilmSums::divide_preview(int stride) {
+    const int old_stride = std::exchange(preview_stride, stride);
+    const int old_columns = old_stride > 0 ? (layout.width + old_stride - 1) / old_stride : 0;
+    const auto old_rows = std::exchange(preview_rows, {});
+    const auto old_stokes = std::exchange(preview_stokes, {});
+    const auto old_residual = std::exchange(preview_residual, {});
+    const auto old_tail = std::exchange(preview_tail, {});
+    const auto columns = static_cast<std::size_t>(preview_columns());
+    const auto rows = static_cast<std::size_t>((layout.height + stride - 1) / stride);
+    preview_rows.assign(rows, false);
+    preview_stokes.assign(rows * columns * wavelengths(), {});
+    preview_residual.assign(rows * columns * groups(), 1.0);
+    if (!old_tail.empty()) preview_tail.assign(preview_residual.size(), 0.0);
+    if (old_stride == 0) return;
+    const auto take = [](const auto& from, std::size_t old_block, auto& to, std::size_t block, std::size_t count) {
+        if (from.empty()) return;
+        std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(old_block * count), count,
+                    to.begin() + static_cast<std::ptrdiff_t>(block * count));
+    };
+    for (std::size_t row = 0; row < rows; ++row) {
+        const auto old_row = row * static_cast<std::size_t>(stride) / static_cast<std::size_t>(old_stride);
+        preview_rows[row] = old_rows[old_row];
+        for (std::size_t column = 0; column < columns; ++column) {
+            const auto old_column = column * static_cast<std::size_t>(stride) / static_cast<std::size_t>(old_stride);
+            const std::size_t old_block = old_row * static_cast<std::size_t>(old_columns) + old_column;
+            const std::size_t block = row * columns + column;
+            take(old_stokes, old_block, preview_stokes, block, wavelengths());
+            take(old_residual, old_block, preview_residual, block, groups());
+            take(old_tail, old_block, preview_tail, block, groups());
+        }
+    }
+}
+
+void FilmSums::forget_preview() {
+    const auto release = [](auto& values) { std::remove_reference_t<decltype(values)>().swap(values); };
+    preview_stride = 0;
+    release(preview_rows);
+    release(preview_stokes);
+    release(preview_residual);
+    release(preview_tail);
+}
+
 void FilmSums::show(const PreviewStrip& strip, Version version) {
     POL_EXPECTS(strip.stride > 0 && strip.row >= 0 && strip.row * strip.stride < layout.height);
-    if (preview_stride != strip.stride) {
-        preview_stride = strip.stride;
-        const auto rows = static_cast<std::size_t>((layout.height + strip.stride - 1) / strip.stride);
-        const std::size_t blocks = rows * static_cast<std::size_t>(preview_columns());
-        preview_rows.assign(rows, false);
-        preview_stokes.assign(blocks * wavelengths(), {});
-        preview_residual.assign(blocks * groups(), 1.0);
-        preview_tail.clear();
-    }
+    if (preview_stride != strip.stride) divide_preview(strip.stride);
     const auto row = static_cast<std::size_t>(strip.row);
     const auto put = [row](const auto& part, auto& whole) {
         std::copy(part.begin(), part.end(), whole.begin() + static_cast<std::ptrdiff_t>(row * part.size()));

@@ -76,7 +76,8 @@ struct FilmSums {
     FilmLayout layout;
     Generation generation = 0;
     std::vector<TileSums> tiles;
-    /// The preview, block by block; stride 0: none.
+    std::size_t tiles_without_samples = 0;
+    /// The preview, block by block; stride 0: none, or not needed any more.
     int preview_stride = 0;
     std::vector<bool> preview_rows;  // which of them are there
     std::vector<Stokes<double>> preview_stokes;
@@ -106,6 +107,7 @@ struct FilmSums {
     void add_planes(StokesImage& image, const FilmPlanes& present) const;
     void add(TileSums& tile, const TileBuffer& pass) const;
     void show(const PreviewStrip& strip, Version version);
+    void forget_preview();
     /// Copies the means of `part` of a tile with samples into a picture, its corner to (left, top).
     void copy(const TileSums& tile, const TileRect& part, StokesImage& image, int left, int top) const;
     /// What there is to see of a part of a tile: means, or the preview.
@@ -113,6 +115,8 @@ struct FilmSums {
 
 private:
     [[nodiscard]] ErrorSums measure(const TileSums& tile) const;
+    /// Blocks of this stride in place of those of another, which they begin with.
+    void divide_preview(int stride);
     [[nodiscard]] bool has_preview(const TileSums& tile) const;
     void copy_preview(const TileRect& part, StokesImage& image) const;
 };

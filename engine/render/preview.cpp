@@ -8,18 +8,26 @@
 
 namespace pol {
 
-PreviewGrid preview_grid(const Plan& plan) {
+std::vector<PreviewGrid> preview_levels(const Plan& plan) {
     constexpr std::size_t most_trees = 40000;
     const RenderSettings& s = plan.settings;
-    const auto blocks = [](int pixels, int stride) { return (pixels + stride - 1) / stride; };
-    PreviewGrid grid;
-    for (;; grid.stride += 4) {
-        grid.columns = blocks(s.width, grid.stride);
-        grid.rows = blocks(s.height, grid.stride);
-        const auto trees =
-            static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows) * plan.groups.size();
-        if (trees <= most_trees || (grid.columns == 1 && grid.rows == 1)) return grid;
-    }
+    const auto grid_of = [&s](int stride) {
+        return PreviewGrid{stride, (s.width + stride - 1) / stride, (s.height + stride - 1) / stride};
+    };
+    const auto is_small = [&](const PreviewGrid& grid) {
+        const std::size_t blocks = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
+        return blocks == 1 || blocks * plan.groups.size() <= most_trees;
+    };
+    int stride = 8;
+    while (!is_small(grid_of(stride))) stride += 4;
+    std::vector<PreviewGrid> levels{grid_of(stride)};
+    while (stride % 2 == 0 && stride > 2) levels.push_back(grid_of(stride /= 2));
+    return levels;
+}
+
+bool next_level_pays(const PreviewGrid& level, double seconds) {
+    constexpr double patience_s = 0.2;
+    return seconds * level.stride * level.stride > patience_s;
 }
 
 TileImportance::TileImportance(const Plan& plan, const PreviewGrid& grid) : plan_(plan), grid_(grid) {

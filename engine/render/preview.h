@@ -21,9 +21,13 @@ struct PreviewGrid {
     int rows = 0;
 };
 
-/// Stride 8, or larger so that a picture with many pixels or wavelengths still has its preview in a fraction of a
-/// second.
-PreviewGrid preview_grid(const Plan& plan);
+/// The levels of a preview, coarse to fine. The first has stride 8, or more so that a picture with many pixels or
+/// wavelengths still has it in a fraction of a second; each of the others half the stride of the one before, down to 2.
+std::vector<PreviewGrid> preview_levels(const Plan& plan);
+
+/// Whether the next level pays after this one, which took so many seconds: without it the first whole pass over the
+/// picture, at this rate, would keep the eye waiting.
+bool next_level_pays(const PreviewGrid& level, double seconds);
 
 /// Collects what the preview says about the tiles.
 class TileImportance {

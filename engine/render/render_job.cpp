@@ -29,12 +29,13 @@ std::uint32_t next_look(std::uint32_t samples, std::uint32_t wanted) {
 }
 
 bool is_same(const RenderTask& a, const RenderTask& b) {
-    return std::visit(Overloaded{
-                          [](const PreviewTask& x, const PreviewTask& y) { return x.row == y.row; },
-                          [](const TileTask& x, const TileTask& y) { return x.tile == y.tile; },
-                          [](const auto&, const auto&) { return false; },
-                      },
-                      a, b);
+    return std::visit(
+        Overloaded{
+            [](const PreviewTask& x, const PreviewTask& y) { return x.level == y.level && x.row == y.row; },
+            [](const TileTask& x, const TileTask& y) { return x.tile == y.tile; },
+            [](const auto&, const auto&) { return false; },
+        },
+        a, b);
 }
 
 }  // namespace
@@ -44,20 +45,24 @@ RenderJob::RenderJob(std::shared_ptr<const Plan> the_plan, Generation number, co
     : plan(std::move(the_plan)),
       generation(number),
       tiles(cut_tiles(plan->settings.width, plan->settings.height, tile_size)),
-      preview(preview_grid(*plan)),
+      previews(preview_levels(*plan)),
       rules_(options.stop),
       goal_(goal),
       order_(tiles.size()),
-      importance_(*plan, preview),
+      importance_(*plan, previews.front()),
+      level_began_(Clock::now()),
       last_look_(Clock::now()) {
     std::iota(order_.begin(), order_.end(), 0);
     if (goal_) next_report_ = 1;
-    if (options.watch == Watch::headless) {
+    if (options.watch == Watch::headless)
         queue_passes(0);
-        return;
-    }
-    previews_missing_ = preview.rows;
-    for (int row = 0; row < preview.rows; ++row) queue_.emplace_back(PreviewTask{row});
+    else
+        queue_preview(0);
+}
+
+void RenderJob::queue_preview(int level) {
+    previews_missing_ = previews[static_cast<std::size_t>(level)].rows;
+    for (int row = 0; row < previews_missing_; ++row) queue_.emplace_back(PreviewTask{level, row});
 }
 
 void RenderJob::queue_passes(std::uint32_t first_sample) {
@@ -82,12 +87,19 @@ void RenderJob::drop(const RenderTask& task) {
     forget(task);
 }
 
-void RenderJob::deliver(const PreviewTask& task, const PreviewStrip& strip) {
+void RenderJob::deliver(const PreviewTask& task, const PreviewStrip& strip, Clock::time_point now) {
     forget(task);
-    importance_.add(strip);
+    if (task.level == 0) importance_.add(strip);
     if (--previews_missing_ > 0) return;
-    order_ = importance_.order(tiles);
-    queue_passes(0);
+    if (task.level == 0) order_ = importance_.order(tiles);
+    const double seconds = std::chrono::duration<double>(now - level_began_).count();
+    level_began_ = now;
+    const int next = task.level + 1;
+    if (next < static_cast<int>(previews.size()) &&
+        next_level_pays(previews[static_cast<std::size_t>(task.level)], seconds))
+        queue_preview(next);
+    else
+        queue_passes(0);
 }
 
 bool RenderJob::deliver(const TileTask& task, const RenderStatistics& statistics) {

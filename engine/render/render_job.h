@@ -21,6 +21,7 @@ namespace pol {
 
 /// One row of preview blocks.
 struct PreviewTask {
+    int level = 0;  ///< index into RenderJob::previews
     int row = 0;
 };
 
@@ -46,7 +47,7 @@ public:
     const std::shared_ptr<const Plan> plan;
     const Generation generation;
     const std::vector<TileRect> tiles;
-    const PreviewGrid preview;
+    const std::vector<PreviewGrid> previews;
     std::atomic<bool> cancelled{false};
 
     /// Nothing is under way, and nothing will be.
@@ -57,8 +58,8 @@ public:
     RenderTask take();
     /// The task ends without a result.
     void drop(const RenderTask& task);
-    /// A row of the preview is in the film.
-    void deliver(const PreviewTask& task, const PreviewStrip& strip);
+    /// A row of the preview is in the film. After the last of a level comes the next one, if it pays, or the tiles.
+    void deliver(const PreviewTask& task, const PreviewStrip& strip, Clock::time_point now);
     /// A pass is in the film. True if all pixels now have the same number of samples and the error rule wants to know
     /// the error: then report() must follow before the job goes on.
     [[nodiscard]] bool deliver(const TileTask& task, const RenderStatistics& statistics);
@@ -77,6 +78,7 @@ public:
 
 private:
     [[nodiscard]] double seconds_at(Clock::time_point now) const;
+    void queue_preview(int level);
     void queue_passes(std::uint32_t first_sample);
     void forget(const RenderTask& task);
     [[nodiscard]] std::uint32_t wanted() const { return static_cast<std::uint32_t>(plan->settings.samples_per_pixel); }
@@ -87,7 +89,8 @@ private:
     std::vector<RenderTask> busy_;
     std::vector<int> order_;  // of the tiles
     TileImportance importance_;
-    int previews_missing_ = 0;
+    int previews_missing_ = 0;  // rows of the level under way
+    Clock::time_point level_began_;
     std::uint32_t next_report_ = 0;  // samples at which all tiles wait for each other; 0: never
     int tiles_arrived_ = 0;          // there
     RenderStatistics statistics_{};

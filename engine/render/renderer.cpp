@@ -131,10 +131,10 @@ void Renderer::render(PassTracer& tracer, const Work& work) {
                        PreviewStrip strip;
                        strip.generation = job.generation;
                        strip.row = task.row;
-                       tracer.preview(job.preview, job.cancelled, strip);
+                       tracer.preview(job.previews[static_cast<std::size_t>(task.level)], job.cancelled, strip);
                        if (job.cancelled.load() || !film_.show(strip)) return drop();
                        const std::scoped_lock lock(mutex_);
-                       job.deliver(task, strip);
+                       job.deliver(task, strip, Clock::now());
                    },
                    [&](const TileTask& task) {
                        TileBuffer buffer;

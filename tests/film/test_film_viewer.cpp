@@ -171,6 +171,31 @@ TEST(FilmViewer, ShowsThePreviewWhereThereAreNoSamplesAndNowhereElse) {
     EXPECT_EQ(film.status().mean_samples, 9.0 / 30.0) << "a preview is no sample";
 }
 
+// 8 x 4 pixels, two blocks of 4 x 4, then four of 2 x 2 in the upper line of blocks: the lower half keeps the coarse
+// ones.
+TEST(FilmViewer, AFinerLevelOfThePreviewReplacesTheCoarseOneWhereItIsThereAndNothingIsLeftAtTheEnd) {
+    Film film;
+    film.reset(layout_of(8, 4, 4), 3);
+    ASSERT_TRUE(film.show(strip_of(3, 4, 0, {1.0, 2.0})));
+    ASSERT_TRUE(film.show(strip_of(3, 2, 0, {5.0, 6.0, 7.0, 8.0})));
+    for (int x = 0; x < 8; ++x) {
+        EXPECT_EQ(film.pixel(x, 1)->image.at(0, 0).s0, 5.0 + x / 2) << x;
+        EXPECT_EQ(film.pixel(x, 2)->image.at(0, 0).s0, x < 4 ? 1.0 : 2.0) << x;
+        EXPECT_EQ(film.pixel(x, 3)->image.residual[0], 0.5) << x;
+    }
+    const double with_preview = film.bytes_per_pixel();
+    ASSERT_TRUE(film.merge(uneven_pass({0, 0, 4, 4}, 3, 1, {7.0, 0.0, 0.0, 0.0}, {})));
+    EXPECT_EQ(film.pixel(5, 0)->image.at(0, 0).s0, 7.0);
+    EXPECT_TRUE(film.pixel(5, 0)->preview);
+    ASSERT_TRUE(film.merge(uneven_pass({4, 0, 8, 4}, 3, 1, {7.0, 0.0, 0.0, 0.0}, {})));
+    Film never;
+    never.reset(layout_of(8, 4, 4), 3);
+    ASSERT_TRUE(never.merge(uneven_pass({0, 0, 4, 4}, 3, 1, {7.0, 0.0, 0.0, 0.0}, {})));
+    ASSERT_TRUE(never.merge(uneven_pass({4, 0, 8, 4}, 3, 1, {7.0, 0.0, 0.0, 0.0}, {})));
+    EXPECT_EQ(film.bytes_per_pixel(), never.bytes_per_pixel());
+    EXPECT_GT(with_preview, 0.0);
+}
+
 // Means of the even and odd samples: 3 and 5, so that the mean 4 is off by 1 (one degree of freedom).
 TEST(FilmViewer, TwoHalvesTellTheSamplingError) {
     Film film;

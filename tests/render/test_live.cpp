@@ -7,7 +7,10 @@
 #include <chrono>
 #include <mutex>
 #include <thread>
+#include <variant>
+#include <vector>
 
+#include "render/render_job.h"
 #include "support/render_scene.h"
 
 namespace pol {
@@ -53,8 +56,8 @@ TEST(LiveRender, GivesTheSameBitsAsARenderThatNobodyWatches) {
     }
 }
 
-// The preview of a block is sample 0 of its middle pixel, with fewer branches and a larger residual. This scene needs
-// few branches; with that residual the preview is the very light of the finished pixel.
+// The preview of a block, whatever its level, is sample 0 of its middle pixel, with fewer branches and a larger
+// residual. This scene needs few branches; with that residual the preview is the very light of the finished pixel.
 TEST(LiveRender, ThePreviewIsTheLightOfTheMiddleOfEachBlock) {
     Scene scene = test::shipped_scene("crossed-polarizers");
     scene.render.residual = preview_residual;
@@ -81,11 +84,19 @@ TEST(LiveRender, ThePreviewIsTheLightOfTheMiddleOfEachBlock) {
     finish(renderer);
     const StokesImage image = renderer.snapshot();
     const std::scoped_lock lock(mutex);
-    EXPECT_GE(previews.size(), 25U);  // 5 x 5 tiles, one per block
+    EXPECT_GE(previews.size(), 25U);  // 5 x 5 tiles, one per block of the first level
+    const std::vector<PreviewGrid> levels = preview_levels(*plan);
     for (const TileSnapshot& tile : previews) {
-        const std::size_t middle = image.pixel(tile.rect.x0 + 4, std::min(tile.rect.y0 + 4, 35));
-        for (const Stokes<double>& s : tile.image.stokes) EXPECT_EQ(s, image.at(0, middle));
         EXPECT_EQ(tile.image.samples[0], 0U);
+        for (int y = tile.rect.y0; y < tile.rect.y1; ++y)
+            for (int x = tile.rect.x0; x < tile.rect.x1; ++x) {
+                const Stokes<double>& shown = tile.image.at(0, tile.image.pixel(x - tile.rect.x0, y - tile.rect.y0));
+                const bool is_of_a_level = std::any_of(levels.begin(), levels.end(), [&](const PreviewGrid& level) {
+                    const auto middle = [&](int at) { return at / level.stride * level.stride + level.stride / 2; };
+                    return shown == image.at(0, image.pixel(middle(x), std::min(middle(y), 35)));
+                });
+                EXPECT_TRUE(is_of_a_level) << x << ", " << y;
+            }
     }
 }
 
@@ -98,7 +109,7 @@ TEST(LiveRender, LightContrastAndDoubtMakeATileImportant) {
     plan.wavelengths_nm = {580.0};
     plan.brightest = {2.0};
     plan.groups.resize(1);
-    const PreviewGrid grid = preview_grid(plan);
+    const PreviewGrid grid = preview_levels(plan).front();
     ASSERT_EQ(grid.stride, 8);
     ASSERT_EQ(grid.columns, 4);
     ASSERT_EQ(grid.rows, 2);
@@ -114,6 +125,40 @@ TEST(LiveRender, LightContrastAndDoubtMakeATileImportant) {
         importance.add(strip);
     }
     EXPECT_EQ(importance.order(cut_tiles(32, 16, 8)), (std::vector<int>{2, 1, 7, 0, 3, 4, 5, 6}));
+}
+
+/// Delivers what a job asks for, each level of the preview in `seconds` by the clock; the strides in their order.
+std::vector<int> levels_shown(double seconds) {
+    const auto plan = picture("cube-glass", 1, SampleMode::point);
+    RenderJob job(plan, 1, live(), std::nullopt, 8);
+    std::vector<int> strides;
+    auto now = RenderJob::Clock::now();
+    while (job.has_work()) {
+        const RenderTask task = job.take();
+        const auto* row = std::get_if<PreviewTask>(&task);
+        if (row == nullptr) break;
+        const PreviewGrid& level = job.previews[static_cast<std::size_t>(row->level)];
+        if (strides.empty() || strides.back() != level.stride) {
+            strides.push_back(level.stride);
+            now += std::chrono::duration_cast<RenderJob::Clock::duration>(std::chrono::duration<double>(seconds));
+        }
+        PreviewStrip strip;
+        strip.stride = level.stride;
+        strip.row = row->row;
+        strip.stokes.assign(static_cast<std::size_t>(level.columns), {});
+        strip.residual.assign(strip.stokes.size(), 0.0);
+        strip.tail = strip.residual;
+        job.deliver(*row, strip, now);
+    }
+    return strides;
+}
+
+// At 10 ms for a 64th of the pixels the whole picture takes 0.64 s: an eye would see a mosaic of blocks and pixels
+// meanwhile. At 2 ms all of it is there in 0.13 s.
+TEST(LiveRender, ASlowPictureSharpensInLevelsAndAFastOneAtOnce) {
+    EXPECT_EQ(levels_shown(0.010), (std::vector<int>{8, 4})) << "10 ms for a 16th: the rest is there in 0.16 s";
+    EXPECT_EQ(levels_shown(0.100), (std::vector<int>{8, 4, 2}));
+    EXPECT_EQ(levels_shown(0.002), (std::vector<int>{8}));
 }
 
 TEST(LiveRender, ProgressSaysWhatAStatusLineShows) {
