@@ -35,14 +35,15 @@ struct RenderSettings {
     /// Branches that pay: a point picture averages nothing over a pixel, so that all that its tails scatter is seen. In
     /// an area picture the samples of a pixel average the tails too, and many short trees tell more than a few long
     /// ones: squared error times time is lowest at 5 to 20 branches in crystals, 10 to 30 times below that of 1000.
-    [[nodiscard]] int usual_node_budget() const { return mode == SampleMode::area ? 12 : 1000; }
+    /// A depth limit cuts without a budget beside it.
+    [[nodiscard]] int usual_node_budget() const { return depth ? whole_tree : mode == SampleMode::area ? 12 : 1000; }
     [[nodiscard]] int node_budget_in_force() const { return node_budget.value_or(usual_node_budget()); }
 
     /// The paper's mode: the depth alone cuts the tree. Residual and node budget can be set again afterwards.
     void cut_by_depth_alone(int limit) {
         depth = limit;
         residual = 0.0;
-        node_budget = whole_tree;
+        node_budget.reset();
     }
 
     /// As it is unless something else is asked for.

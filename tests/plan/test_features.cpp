@@ -139,12 +139,18 @@ TEST(Features, AConvexSolidOfManyFacetsIsBuiltForEmbree) {
     }
 }
 
-// Wavelengths share a tree exactly if all constants are equal there: flat from 400 to 500, then rising.
+// Wavelengths share a tree if all constants are equal there: absorption is flat from 400 to 500, then rises. With an
+// index that may depend on the wavelength they do not, whatever it is: each has sample positions of its own.
 TEST(Features, WavelengthsWithEqualConstantsShareOneTree) {
-    const auto plan = box_of("{index: {table: [[400, 1.5], [500, 1.5], [700, 1.6]]}}", "[400, 450, 500, 600, 700]");
+    const auto plan =
+        box_of("{index: 1.5, absorption: {table: [[400, 1], [500, 1], [700, 2]]}}", "[400, 450, 500, 600, 700]");
     EXPECT_EQ(plan->group_of_wavelength, (std::vector<int>{0, 0, 0, 1, 2}));
     EXPECT_EQ(plan->groups[0].wavelengths, (std::vector<int>{0, 1, 2}));
     EXPECT_TRUE(feature(*plan, "dispersion").needed);
+    const auto flat = box_of("{index: {table: [[400, 1.5], [700, 1.5]]}}", "[400, 500]");
+    EXPECT_EQ(flat->group_of_wavelength, (std::vector<int>{0, 1}));
+    EXPECT_NE(feature(*flat, "dispersion").reason.find("an index that is a function of the wavelength"),
+              std::string::npos);
     EXPECT_FALSE(feature(*box_of("n-bk7", "580"), "dispersion").needed);
 }
 
