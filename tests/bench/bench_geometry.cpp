@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "geometry/half_space_solid.h"
+#include "geometry/plane_scan.h"
 #include "geometry/ray_caster.h"
 #include "geometry/shapes.h"
 
@@ -65,6 +66,47 @@ void bounce_in_half_spaces(benchmark::State& state) {
     benchmark::DoNotOptimize(o);
 }
 BENCHMARK(bounce_in_half_spaces);
+
+// Sixteen rays at once; the time is per block.
+void enter_half_spaces_in_lanes(benchmark::State& state) {
+    const HalfSpaceSolid solid = HalfSpaceSolid::from_mesh(stone()).value();
+    const PlaneScan scan(solid);
+    const auto rays = flights(4.0, 0.9);
+    std::vector<RayBlock> blocks(rays.size() / RayBlock::size);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        set_ray(blocks[i / RayBlock::size], static_cast<int>(i % RayBlock::size), rays[i].o, rays[i].d);
+    std::size_t i = 0;
+    HitBlock hits;
+    for (auto _ : state) {
+        scan.enter(blocks[i++ % blocks.size()], RayBlock::size, hits);
+        benchmark::DoNotOptimize(hits);
+    }
+    state.SetItemsProcessed(state.iterations() * RayBlock::size);
+}
+BENCHMARK(enter_half_spaces_in_lanes);
+
+void bounce_in_half_spaces_in_lanes(benchmark::State& state) {
+    const HalfSpaceSolid solid = HalfSpaceSolid::from_mesh(stone()).value();
+    const PlaneScan scan(solid);
+    RayBlock rays;
+    HitBlock hits;
+    int left[RayBlock::size];
+    for (int lane = 0; lane < RayBlock::size; ++lane) {
+        set_ray(rays, lane, DVec3(0.0), direction(static_cast<std::uint32_t>(lane)));
+        left[lane] = -1;
+    }
+    for (auto _ : state) {
+        scan.exit(rays, left, RayBlock::size, hits);
+        for (int lane = 0; lane < RayBlock::size; ++lane) {
+            const DVec3 n(hits.normal[0][lane], hits.normal[1][lane], hits.normal[2][lane]);
+            const DVec3 d = direction_of(rays, lane);
+            set_ray(rays, lane, origin_of(rays, lane) + hits.distance[lane] * d, unit(d - 2.0 * dot(n, d) * n));
+            left[lane] = hits.facet[lane];
+        }
+    }
+    state.SetItemsProcessed(state.iterations() * RayBlock::size);
+}
+BENCHMARK(bounce_in_half_spaces_in_lanes);
 
 void enter_through_embree(benchmark::State& state) {
     const RayCaster caster = RayCaster::build({stone()}).value();

@@ -203,7 +203,7 @@ def check_file(root, rooms, file):
 
 
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{")
-TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)\b(?! *<)[^;]*\{")
+TYPE = re.compile(r"^(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+)\b(?! *<)[^;]*\{")
 
 
 def types_of(file):
