@@ -11,44 +11,49 @@
 #include <cmath>
 
 #include "core/complex.h"
+#include "core/lanes.h"
 
 namespace pol {
 
 /// Amplitudes of a dielectric boundary. t_s, t_p are flux-normalised: t^2 is the transmittance, and the
-/// same in both directions. Their phase is zero (they are not given beyond the critical angle: nothing is transmitted).
+/// same in both directions. Their phase is zero (they are zero beyond the critical angle: nothing is transmitted).
 template <class Real>
 struct Fresnel {
     Complex<Real> r_s{};
     Complex<Real> r_p{};
     Real t_s{};
     Real t_p{};
-    Real q2{};           ///< n2 cos(theta2); if `total`, the decay rate Im q2 >= 0 of the field behind
-    bool total = false;  ///< at or beyond the critical angle: T = 0
+    Real q2{};             ///< n2 cos(theta2); if `total`, the decay rate Im q2 >= 0 of the field behind
+    MaskOf<Real> total{};  ///< at or beyond the critical angle: T = 0
 };
 
-/// Requires: n1 > 0, n2 > 0, 0 < q1 <= n1.
+/// Requires: n1 > 0, n2 > 0, 0 < q1 <= n1. Both sides of the critical angle share the roots and the divisions, so that
+/// lanes need not part (core/lanes.h).
 template <class Real>
 Fresnel<Real> fresnel(Real n1, Real n2, Real q1) {
     using std::sqrt;
     const Real contrast = (n1 - n2) * (n1 + n2);  // n1^2 - n2^2 = q1^2 - q2^2
     const Real q2_squared = q1 * q1 - contrast;
     const Real k_t2 = (n1 - q1) * (n1 + q1);
-    if (q2_squared > Real(0)) {
-        const Real q2 = sqrt(q2_squared);
-        const Real product = q1 * q2;
-        const Real per_sum = Real(1) / (q1 + q2);
-        const Real per_p = Real(1) / (product + k_t2);
-        const Real r_s = contrast * per_sum * per_sum;
-        const Real t_s = Real(2) * sqrt(product) * per_sum;
-        return {
-            Complex<Real>(r_s), Complex<Real>(r_s * (k_t2 - product) * per_p), t_s, t_s * n1 * n2 * per_p, q2, false};
-    }
-    // q2 = i decay: r = (q1 - q2)/(q1 + q2) = (q1 - i decay)^2/(q1^2 + decay^2), and likewise for the factor of r_p.
-    const Real decay = sqrt(-q2_squared);
-    const Complex<Real> half_s(q1, -decay);
-    const Complex<Real> half_p(k_t2, -q1 * decay);
-    const Complex<Real> r_s = half_s * half_s / norm2(half_s);
-    return {r_s, r_s * (half_p * half_p / norm2(half_p)), Real(0), Real(0), decay, true};
+    const auto goes_on = q2_squared > Real(0);
+    const Real q2 = sqrt(select(goes_on, q2_squared, -q2_squared));
+    const Real product = q1 * q2;
+    // Beyond: q2 = i decay: r = (q1 - q2)/(q1 + q2) = (q1 - i decay)^2/(q1^2 + decay^2), and likewise for r_p/r_s.
+    const Complex<Real> half_s(q1, -q2);
+    const Complex<Real> half_p(k_t2, -product);
+    const Real per_s = Real(1) / select(goes_on, q1 + q2, norm2(half_s));
+    const Real per_p = Real(1) / select(goes_on, product + k_t2, norm2(half_p));
+    const Real r_s = contrast * per_s * per_s;
+    const Real r_p = r_s * (k_t2 - product) * per_p;
+    const Real t_s = Real(2) * sqrt(product) * per_s;
+    const Complex<Real> total_s = half_s * half_s * per_s;
+    const Complex<Real> total_p = total_s * (half_p * half_p * per_p);
+    return {{select(goes_on, r_s, total_s.re), select(goes_on, Real(0), total_s.im)},
+            {select(goes_on, r_p, total_p.re), select(goes_on, Real(0), total_p.im)},
+            select(goes_on, t_s, Real(0)),
+            select(goes_on, t_s * n1 * n2 * per_p, Real(0)),
+            q2,
+            !goes_on};
 }
 
 /// Normal component of the wave vector in a medium n2 + i kappa2: Im q2 > 0 where it absorbs. `n1` is the |k| of a wave

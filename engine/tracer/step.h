@@ -9,6 +9,7 @@
 #include "optics/elements.h"
 #include "optics/fresnel.h"
 #include "tracer/node.h"
+#include "tracer/transparent_boundary.h"
 
 namespace pol {
 
@@ -40,60 +41,43 @@ inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>&
         return;
     }
 
-    // s across the plane of incidence. The cross product is off by 1e-16 in any direction, so s leans out of the wave
-    // front by 1e-16/sin and a share (1e-16/sin)^2 of the energy is lost. Below sin = 1e-8 any s across the ray will do
-    // as well: the two polarizations differ by sin^2 only.
-    constexpr double nearly_normal = 1e-16;
-    const DVec3 across = cross(normal, d);
-    const double sin2 = length2(across);
-    const DVec3 s = sin2 > nearly_normal ? across / std::sqrt(sin2) : node.wave.field[0];
-    const DVec3 p = cross(d, s);
-    const Throughput<double> m = in_basis(node.throughput, node.wave.field, s, p);
-
-    const auto add = [&](Side side, const DVec3& ray, double n, const Complex<double>& a_s,
-                         const Complex<double>& a_p) {
+    const auto take = [&](Side side, double n, const DVec3& s, const PairChild<double>& wave) {
         out.side[out.count] = side;
         Node& child = out.node[out.count++];
         child.wave.kind = WaveKind::pair;
-        // One Newton step towards |ray| = 1: no drift over 1e5 bounces.
-        child.wave.ray = ray * (1.5 - 0.5 * length2(ray));
-        child.wave.k = child.wave.ray * n;
+        child.wave.ray = wave.ray;
+        child.wave.k = wave.ray * n;
         child.wave.field[0] = s;
-        child.wave.field[1] = cross(child.wave.ray, s);
-        for (int row = 0; row < 2; ++row) {
-            child.throughput.m[row][0] = m.m[row][0] * a_s;
-            child.throughput.m[row][1] = m.m[row][1] * a_p;
-        }
-        child.weight = child.throughput.weight();
+        child.wave.field[1] = wave.p;
+        child.throughput = wave.throughput;
+        child.weight = wave.weight;
     };
-
-    if (from.is_complex() || to.is_complex()) {
-        if (from == to)
-            return add(Side::transmitted, d, std::sqrt(length2(node.wave.k)), Complex<double>(1.0),
-                       Complex<double>(1.0));
-        const double k1 = from.is_complex() ? std::sqrt(length2(node.wave.k)) : from.n;
-        const auto f = absorbing_fresnel<double>({from.n, from.kappa}, {to.n, to.kappa}, k1, k1 * cos_1);
-        add(Side::reflected, d - normal * (2.0 * cos_1), k1, f.r_s, f.r_p);
-        const bool goes_on = f.goes_on && to.kind == MediumKind::isotropic;
-        if (goes_on) {
-            const DVec3 k2 = (d - normal * cos_1) * k1 + normal * f.q2.re;
-            const double size = std::sqrt(length2(k2));
-            add(Side::transmitted, k2 / size, size, f.t_s, f.t_p);
-        }
-        const double lost_s = f.mixed_s + (goes_on ? 0.0 : f.into_s);
-        const double lost_p = f.mixed_p + (goes_on ? 0.0 : f.into_p);
-        out.absorbed =
-            0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * lost_s + (norm2(m.m[0][1]) + norm2(m.m[1][1])) * lost_p);
+    if (!from.is_complex() && !to.is_complex()) {
+        const auto boundary = transparent_boundary(d, node.wave.field, node.throughput, normal, from.n, to.n);
+        if (boundary.reflected.weight != 0.0) take(Side::reflected, from.n, boundary.s, boundary.reflected);
+        if (boundary.transmitted.weight != 0.0) take(Side::transmitted, to.n, boundary.s, boundary.transmitted);
         return;
     }
-    const auto f = fresnel(from.n, to.n, from.n * cos_1);
-    const bool reflects = f.r_s != Complex<double>(0.0) || f.r_p != Complex<double>(0.0);
-    if (reflects) add(Side::reflected, d - normal * (2.0 * cos_1), from.n, f.r_s, f.r_p);
-    if (!f.total) {
-        const DVec3 along = d - normal * cos_1;
-        const DVec3 ray = from.n == to.n ? d : (along * from.n + normal * f.q2) / to.n;
-        add(Side::transmitted, ray, to.n, Complex<double>(f.t_s), Complex<double>(f.t_p));
+
+    const DVec3 s = across_incidence(d, node.wave.field[0], normal);
+    const Throughput<double> m = in_basis(node.throughput, node.wave.field, s, cross(d, s));
+    const auto add = [&](Side side, const DVec3& ray, double n, const Complex<double>& a_s,
+                         const Complex<double>& a_p) { take(side, n, s, pair_child(m, s, ray, a_s, a_p)); };
+    if (from == to)
+        return add(Side::transmitted, d, std::sqrt(length2(node.wave.k)), Complex<double>(1.0), Complex<double>(1.0));
+    const double k1 = from.is_complex() ? std::sqrt(length2(node.wave.k)) : from.n;
+    const auto f = absorbing_fresnel<double>({from.n, from.kappa}, {to.n, to.kappa}, k1, k1 * cos_1);
+    add(Side::reflected, d - normal * (2.0 * cos_1), k1, f.r_s, f.r_p);
+    const bool goes_on = f.goes_on && to.kind == MediumKind::isotropic;
+    if (goes_on) {
+        const DVec3 k2 = (d - normal * cos_1) * k1 + normal * f.q2.re;
+        const double size = std::sqrt(length2(k2));
+        add(Side::transmitted, k2 / size, size, f.t_s, f.t_p);
     }
+    const double lost_s = f.mixed_s + (goes_on ? 0.0 : f.into_s);
+    const double lost_p = f.mixed_p + (goes_on ? 0.0 : f.into_p);
+    out.absorbed =
+        0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * lost_s + (norm2(m.m[0][1]) + norm2(m.m[1][1])) * lost_p);
 }
 
 /// A crystal on one side or both, through the general solver.
