@@ -48,12 +48,9 @@ Result<OpenSurface> OpenSurface::make(Outline outline, const DVec2& half_size, c
 
 std::optional<SurfaceHit> OpenSurface::hit(const DVec3& o, const DVec3& d, int skip) const {
     if (skip >= 0) return std::nullopt;
-    const double along = dot(plane_.normal, d);
-    const double t = dot(plane_.normal, center_ - o) / along;
-    if (!(t > 0.0) || std::isinf(t)) return std::nullopt;
-    const auto uv = uv_at(o + t * d, 0.0);
-    if (!uv) return std::nullopt;
-    return SurfaceHit{t, *uv};
+    const SurfaceMeeting<double> meeting = meet(o, d);
+    if (!meeting.met) return std::nullopt;
+    return SurfaceHit{meeting.distance, {meeting.u, meeting.v}};
 }
 
 std::optional<DVec2> OpenSurface::uv_at(const DVec3& p, double margin) const {

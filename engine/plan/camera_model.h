@@ -13,12 +13,14 @@ namespace pol {
 /// camera's axis (not the user's `up`, about which frames would spin in a picture taken from above), and y such that
 /// (x, y, -direction) is right-handed: image right and image up, seen by the receiver; the light travels along
 /// -direction. Mitsuba 3's Stokes integrator has the same frame.
-struct CameraRay {
-    DVec3 origin{};
-    DVec3 direction{};
-    DVec3 x{};
-    DVec3 y{};
+template <class Real>
+struct CameraRayOf {
+    Vec3<Real> origin{};
+    Vec3<Real> direction{};
+    Vec3<Real> x{};
+    Vec3<Real> y{};
 };
+using CameraRay = CameraRayOf<double>;
 
 /// Rays through a picture of width x height square pixels, row 0 at the top.
 class CameraModel {
@@ -40,17 +42,20 @@ public:
 
     /// Ray through picture coordinates (x, y) in pixels from the top left corner; (0.5, 0.5) is the centre of the first
     /// pixel.
-    [[nodiscard]] CameraRay ray(double x, double y) const {
-        const DVec3 offset = right_ * ((x - center_x_) * pixel_) + above_ * ((center_y_ - y) * pixel_);
-        CameraRay ray;
+    template <class Real>
+    [[nodiscard]] CameraRayOf<Real> ray(const Real& x, const Real& y) const {
+        const Vec3<Real> above(above_);
+        const Vec3<Real> offset = Vec3<Real>(right_) * ((x - Real(center_x_)) * Real(pixel_)) +
+                                  above * ((Real(center_y_) - y) * Real(pixel_));
+        CameraRayOf<Real> ray;
         if (projection_ == Projection::perspective) {
-            ray.origin = origin_;
-            ray.direction = unit(forward_ + offset);
+            ray.origin = Vec3<Real>(origin_);
+            ray.direction = unit(Vec3<Real>(forward_) + offset);
         } else {
-            ray.origin = origin_ + offset;
-            ray.direction = forward_;
+            ray.origin = Vec3<Real>(origin_) + offset;
+            ray.direction = Vec3<Real>(forward_);
         }
-        ray.x = unit(cross(ray.direction, above_));
+        ray.x = unit(cross(ray.direction, above));
         ray.y = cross(ray.x, ray.direction);
         return ray;
     }

@@ -10,6 +10,7 @@
 #include "core/units.h"
 #include "plan/coherence.h"
 #include "plan/covers.h"
+#include "plan/lanes.h"
 #include "scene/check.h"
 
 namespace pol {
@@ -224,6 +225,10 @@ Features list_features(const Scene& scene, const Plan& plan) {
                             features.doubts.empty()
                                 ? "powers are added: nothing with parallel faces is thinner than light stays coherent"
                                 : "powers are added, though this scene would show it: see below"});
+    const std::string one_by_one = why_not_in_lanes(plan);
+    account.list.push_back(
+        {"branches side by side", one_by_one.empty(),
+         one_by_one.empty() ? "one transparent solid with flat faces" : "one by one: " + one_by_one});
     for (std::string& doubt : doubts_of_crystal_faces(scene, plan)) features.doubts.push_back(std::move(doubt));
     for (std::string& doubt : doubts_of_absorbing_glass(plan)) features.doubts.push_back(std::move(doubt));
     features.list = std::move(account.list);

@@ -25,7 +25,10 @@ public:
     virtual void preview(const PreviewGrid& grid, const std::atomic<bool>& cancelled, PreviewStrip& strip) = 0;
 };
 
+/// Whether branches are followed side by side where the plan allows it (why_not_in_lanes()): the same bits, faster.
+enum class Follow { side_by_side, one_by_one };
+
 /// With the kernel for the plan. The plan must outlive it.
-std::unique_ptr<PassTracer> make_pass_tracer(const Plan& plan);
+std::unique_ptr<PassTracer> make_pass_tracer(const Plan& plan, Follow follow = Follow::side_by_side);
 
 }  // namespace pol

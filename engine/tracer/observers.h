@@ -29,4 +29,10 @@ struct Silent {
     void tail_begins(const Node&) {}
 };
 
+/// Silent, but for asking whether anybody still waits.
+struct Patient : Silent {
+    const KeepGoing* keep_going = nullptr;
+    [[nodiscard]] bool cancelled() const { return !(*keep_going)(0); }
+};
+
 }  // namespace pol

@@ -30,15 +30,21 @@ inline DVec2 sample_position(SampleMode mode, std::uint64_t seed, std::uint32_t 
     return {coordinate(0, reversed_bits(step)), coordinate(1, sobol_second(step))};
 }
 
+/// The same in the picture, for CameraModel::ray.
+inline DVec2 sample_place(const Plan& plan, int x, int y, std::uint32_t sample, int group) {
+    const auto pixel = static_cast<std::uint32_t>(y * plan.settings.width + x);
+    return DVec2(x, y) + sample_position(plan.settings.mode, plan.settings.seed, pixel, sample,
+                                         plan.groups[static_cast<std::size_t>(group)].places);
+}
+
 /// The sample of a pixel, as the picture and the explanation both trace it. Its random numbers do not depend on which
 /// other wavelengths are asked for.
 inline TraceTask sample_task(const Plan& plan, int x, int y, std::uint32_t sample, int group) {
     const auto pixel = static_cast<std::uint32_t>(y * plan.settings.width + x);
     TraceTask task;
-    const WavelengthGroup& wavelengths = plan.groups[static_cast<std::size_t>(group)];
-    task.key = {plan.settings.seed, pixel, sample, wavelengths.key};
-    const DVec2 inside = sample_position(plan.settings.mode, plan.settings.seed, pixel, sample, wavelengths.places);
-    task.ray = plan.camera.ray(x + inside.x, y + inside.y);
+    task.key = {plan.settings.seed, pixel, sample, plan.groups[static_cast<std::size_t>(group)].key};
+    const DVec2 place = sample_place(plan, x, y, sample, group);
+    task.ray = plan.camera.ray(place.x, place.y);
     task.group = group;
     task.region = plan.camera_region >= 0 ? plan.camera_region : plan.region_at(task.ray.origin);
     task.residual = plan.settings.residual;

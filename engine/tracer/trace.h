@@ -28,42 +28,10 @@
 #include "tracer/node.h"
 #include "tracer/node_queue.h"
 #include "tracer/step.h"
+#include "tracer/trace_task.h"
 #include "tracer/with_kernel.h"
 
 namespace pol {
-
-/// One sample to trace.
-struct TraceTask {
-    CameraRay ray{};
-    int group = 0;   ///< index into Plan::groups
-    int region = 0;  ///< where the camera is
-    RandomKey key{};
-    /// How far the tree is followed, as RenderSettings has it.
-    double residual = 0.0;
-    int node_budget = 0;
-};
-
-/// What became of the unit weight of a sample, and the work it took.
-struct TraceResult {
-    double resolved = 0.0;
-    double absorbed = 0.0;
-    double residual = 0.0;  ///< not traced
-    double tail = 0.0;      ///< estimated by one random path
-    std::uint32_t nodes = 0;
-    std::uint32_t failures = 0;
-    bool cancelled = false;
-};
-
-/// Largest |resolved + absorbed + residual + tail - 1| that counts as rounding. A tree of 1e5 nodes of a few dozen
-/// operations each stays below 1e-10 even if every rounding error had the same sign.
-constexpr double energy_tolerance = 1e-9;
-
-/// Branches after which a random tail is given up; its weight is then residual. Light that total reflection traps has
-/// no end: the tail is work like the head, and gets as much of it again. A small budget leaves the tail enough to come
-/// out of any stone that light can leave.
-constexpr int tail_limit(int node_budget) {
-    return std::clamp(node_budget, 256, 1 << 16);
-}
 
 /// Traces samples of one plan; keeps its memory between samples. Not for sharing between threads.
 /// anisotropic, absorbing: what the plan needs (with_kernel); the rest is not compiled in.
@@ -75,6 +43,25 @@ public:
 
     /// Adds the light of the sample to `sums`, one Stokes vector per wavelength of the group.
     TraceResult trace(const TraceTask& task, std::span<Stokes<double>> sums) {
+        prepare(task, sums);
+        open_root(task, current_);
+        // Where only some pixels' rays start inside one: compiling has refused what it found.
+        const bool going = medium_of(task.region).dielectric.kind == MediumKind::isotropic;
+        if (!going) fail(current_);
+        return follow_all(task, going);
+    }
+
+    /// Goes on with a sample of which `result` and `sums` hold what has ended, and `node` is the only open branch.
+    TraceResult resume(const TraceTask& task, const Node& node, const TraceResult& result,
+                       std::span<Stokes<double>> sums) {
+        prepare(task, sums);
+        result_ = result;
+        current_ = node;
+        return follow_all(task, true);
+    }
+
+private:
+    void prepare(const TraceTask& task, std::span<Stokes<double>> sums) {
         group_ = &plan_.groups[static_cast<std::size_t>(task.group)];
         group_index_ = task.group;
         sums_ = sums;
@@ -82,12 +69,11 @@ public:
         next_id_ = 0;
         camera_n_ = medium_of(task.region).dielectric.n;
         queue_.clear();
-        Node& node = current_;
-        open_root(task, node);
-        // Where only some pixels' rays start inside one: compiling has refused what it found.
-        bool going = medium_of(task.region).dielectric.kind == MediumKind::isotropic;
-        if (!going) fail(node);
+    }
 
+    /// From current_ on, if it is `going`.
+    TraceResult follow_all(const TraceTask& task, bool going) {
+        Node& node = current_;
         const double target = task.residual;
         const auto budget = static_cast<std::uint32_t>(task.node_budget);
         LeafReason cut = LeafReason::residual;
@@ -120,7 +106,6 @@ public:
         return result_;
     }
 
-private:
     [[nodiscard]] const Region& region(int index) const { return plan_.regions[static_cast<std::size_t>(index)]; }
     [[nodiscard]] const MediumAt& medium_of(int region_index) const {
         return group_->media[static_cast<std::size_t>(region(region_index).medium)];

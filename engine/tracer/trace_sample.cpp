@@ -3,19 +3,9 @@
 
 namespace pol {
 
-namespace {
-
-/// Silent, but for asking whether anybody still waits.
-struct Patient : Silent {
-    const KeepGoing& keep_going;
-    [[nodiscard]] bool cancelled() const { return !keep_going(0); }
-};
-
-}  // namespace
-
 TraceResult trace_sample(const Plan& plan, const TraceTask& task, std::span<Stokes<double>> sums,
                          const KeepGoing& keep_going) {
-    Patient patient{{}, keep_going};
+    Patient patient{{}, &keep_going};
     return with_kernel(plan, [&](auto plan_for_kernel) { return Tracer(plan_for_kernel, patient).trace(task, sums); });
 }
 

@@ -111,11 +111,11 @@ FAULTS = [
     ("camera frame left-handed", "plan/camera_model.h",
      "ray.y = cross(ray.x, ray.direction);", "ray.y = FAULT(cross(ray.x, ray.direction), cross(ray.direction, ray.x));"),
     ("picture upside down", "plan/camera_model.h",
-     "above_ * ((center_y_ - y) * pixel_)", "above_ * (FAULT(center_y_ - y, y - center_y_) * pixel_)"),
+     "above * ((Real(center_y_) - y) * Real(pixel_))", "above * (FAULT(Real(center_y_) - y, y - Real(center_y_)) * Real(pixel_))"),
     ("pole of Sellmeier's formula not squared", "spectrum/refractive_index.cpp",
      "((um - pole) * (um + pole))", "FAULT((um - pole) * (um + pole), um2 - pole)"),
     ("one wavelength shifted", "render/render_pass.cpp",
-     "sums[members[i]] += sign * light_[i];", "sums[members[i]] += sign * light_[FAULT(i, (i + 1) % members.size())];"),
+     "sums[members[i]] += sign * light[i];", "sums[members[i]] += sign * light[FAULT(i, (i + 1) % members.size())];"),
     ("a tile counted twice", "film/film_sums.cpp",
      "add_to(tile.stokes, to, pass.stokes, from, wavelengths());",
      "add_to(tile.stokes, to, pass.stokes, from, wavelengths()); "

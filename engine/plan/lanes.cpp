@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/lanes.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace pol {
+
+namespace {
+
+bool is_transparent(const Plan& plan, const Region& region) {
+    return std::all_of(plan.groups.begin(), plan.groups.end(), [&](const WavelengthGroup& group) {
+        const MediumAt& medium = group.media[static_cast<std::size_t>(region.medium)];
+        return medium.dielectric.kind == MediumKind::isotropic && !medium.dielectric.is_complex() &&
+               !medium.absorption.absorbs();
+    });
+}
+
+bool is_lamp_or_black(const Surface& surface) {
+    return std::holds_alternative<OpenSurface>(surface.shape) && !std::holds_alternative<SheetRole>(surface.role);
+}
+
+}  // namespace
+
+std::string why_not_in_lanes(const Plan& plan) {
+    if (plan.kernel() != Kernel{}) return "the kernel is " + to_string(plan.kernel());
+    if (plan.settings.unpolarized) return "polarization is left out";
+    if (plan.settings.depth) return "the depth is limited";
+    if (plan.solids.size() != 1) return plan.solids.empty() ? "there is no solid" : "there is more than one solid";
+    const Solid& solid = plan.solids.front();
+    if (!std::holds_alternative<HalfSpaceSolid>(solid.shape))
+        return "'" + solid.name + "' is not a flat-faced convex solid";
+    if (!solid.covers.empty() || !solid.contacts.empty()) return "something touches '" + solid.name + "'";
+    if (!solid.black.empty()) return "'" + solid.name + "' has black faces";
+    for (const Surface& surface : plan.surfaces)
+        if (!is_lamp_or_black(surface)) return "'" + surface.name + "' is not a flat lamp or absorber";
+    if (plan.camera_region != 0 || plan.regions.size() != 2) return "the camera stands inside '" + solid.name + "'";
+    if (!plan.regions[1].surfaces.empty()) return "there is a surface inside '" + solid.name + "'";
+    for (const Region& region : plan.regions)
+        if (!is_transparent(plan, region))
+            return "'" + plan.medium_names[static_cast<std::size_t>(region.medium)] + "' is no transparent glass";
+    return {};
+}
+
+}  // namespace pol

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a kernel is asked for and what it answers.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/random.h"
+#include "plan/camera_model.h"
+
+namespace pol {
+
+/// One sample to trace.
+struct TraceTask {
+    CameraRay ray{};
+    int group = 0;   ///< index into Plan::groups
+    int region = 0;  ///< where the camera is
+    RandomKey key{};
+    /// How far the tree is followed, as RenderSettings has it.
+    double residual = 0.0;
+    int node_budget = 0;
+};
+
+/// What became of the unit weight of a sample, and the work it took.
+struct TraceResult {
+    double resolved = 0.0;
+    double absorbed = 0.0;
+    double residual = 0.0;  ///< not traced
+    double tail = 0.0;      ///< estimated by one random path
+    std::uint32_t nodes = 0;
+    std::uint32_t failures = 0;
+    bool cancelled = false;
+};
+
+/// Largest |resolved + absorbed + residual + tail - 1| that counts as rounding. A tree of 1e5 nodes of a few dozen
+/// operations each stays below 1e-10 even if every rounding error had the same sign.
+constexpr double energy_tolerance = 1e-9;
+
+/// Branches after which a random tail is given up; its weight is then residual. Light that total reflection traps has
+/// no end: the tail is work like the head, and gets as much of it again. A small budget leaves the tail enough to come
+/// out of any stone that light can leave.
+constexpr int tail_limit(int node_budget) {
+    return std::clamp(node_budget, 256, 1 << 16);
+}
+
+}  // namespace pol
