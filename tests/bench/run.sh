@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # How fast is it here? Builds the release preset, runs every Google Benchmark program (medians of 5), times whole renders and the
 # window.
+# against.sh compares the program with an older one at equal error, peers.sh with Mitsuba: minutes each, so they are not called here.
 # Asserts nothing: a shared machine is not a stopwatch. Compare only figures of one run.
 # Usage: tests/bench/run.sh [FILTER]     FILTER: a regular expression on benchmark names; with it no renders are timed
 set -euo pipefail
