@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "cli/interruption.h"
 #include "cli/messages.h"
 #include "cli/output_checks.h"
 #include "cli/progress_line.h"
@@ -38,12 +38,6 @@ struct ConvergeRequest {
     int seeds = 5;
     bool quiet = false;
 };
-
-volatile std::sig_atomic_t caught_signal = 0;
-
-void remember_signal(int signal) {
-    caught_signal = signal;
-}
 
 /// Curves are about the shape of error against time, which a small picture shows as well as a large one.
 void shrink(RenderSettings& settings) {
@@ -140,26 +134,25 @@ int run_converge(const ConvergeRequest& request) {
     work.seeds = request.seeds;
     work.tool_version = program_version();
 
-    std::signal(SIGINT, remember_signal);
-    std::signal(SIGTERM, remember_signal);
+    remember_signals();
     ProgressLine line(request.quiet);
     const auto result = verify::converge(work, [&](const verify::ConvergenceProgress& progress) {
         line.show(static_cast<double>(progress.done) / std::max(1, progress.all), progress.seconds_left,
                   progress.doing);
-        return caught_signal == 0;
+        return caught_signal() == 0;
     });
     line.finish();
     if (!result) return report(result.error());
     if (result.value().rows.empty()) {
         remark("polariscope: stopped before the first run was finished; there is no report\n");
-        return 128 + static_cast<int>(caught_signal);
+        return interrupted_exit_code();
     }
     if (const auto written = write_report(work, result.value(), command_text(request)); !written)
         return report(written.error());
     print_summary(result.value(), request.folder);
     if (!result.value().complete) {
         remark("polariscope: stopped; the same command goes on where it was\n");
-        return 128 + static_cast<int>(caught_signal);
+        return interrupted_exit_code();
     }
     if (result.value().reference_check && result.value().reference_check->contradicts())
         remark(

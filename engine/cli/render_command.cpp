@@ -5,13 +5,13 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
 
+#include "cli/interruption.h"
 #include "cli/messages.h"
 #include "cli/output_checks.h"
 #include "cli/progress_line.h"
@@ -31,12 +31,6 @@ namespace pol {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t caught_signal = 0;
-
-void remember_signal(int signal) {
-    caught_signal = signal;
-}
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -74,17 +68,17 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
             goal_told = goal_told || progress.goal;
             const double expected = progress.seconds + progress.seconds_left.value_or(0.0);
             const double share = open_ended && progress.seconds_left ? progress.seconds / expected : progress.done;
-            if (caught_signal == 0) line.show(share, progress.seconds);
+            if (caught_signal() == 0) line.show(share, progress.seconds);
             for (; told < progress.reports.size() && !request.quiet; ++told) {
                 line.finish();
                 print_error_report(progress.reports[told]);
             }
-            if (caught_signal != 0) renderer.cancel();
+            if (caught_signal() != 0) renderer.cancel();
         } while (!progress.finished);
         line.finish();
         outcome.seconds += progress.seconds;
         outcome.reports.insert(outcome.reports.end(), progress.reports.begin(), progress.reports.end());
-        if (progress.reason == StopReason::cancelled) outcome.signal = static_cast<int>(caught_signal);
+        if (progress.reason == StopReason::cancelled) outcome.signal = caught_signal();
         if (progress.reason == StopReason::memory) throw std::bad_alloc();
         if (progress.reason != StopReason::truncation) return outcome;
 
@@ -146,8 +140,7 @@ int run(const RenderRequest& request) {
     RenderTiming timing;
     timing.load_s = seconds_since(load_start);
 
-    std::signal(SIGINT, remember_signal);
-    std::signal(SIGTERM, remember_signal);
+    remember_signals();
     const int threads = request.threads.value_or(hardware_threads());
     Renderer renderer(threads);
     std::unique_ptr<RenderDisplay> display;
