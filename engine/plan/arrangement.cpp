@@ -156,7 +156,7 @@ private:
             add(solid, plan_.solid(solid).shape, has(region.members, solid) ? region.exits : region.entries);
         }
         for (std::size_t i = 0; i < plan_.surfaces.size(); ++i) {
-            if (reach_.into(region, plan_.surfaces[i].shape))
+            if (plan_.kept.every_surface || reach_.into(region, plan_.surfaces[i].shape))
                 add(plan_.solid_count() + static_cast<int>(i), plan_.surfaces[i].shape, region.surfaces);
         }
         region.is_open = region.members.empty() && meshes.empty() &&
@@ -187,11 +187,15 @@ private:
 Result<Done> arrange(const Scene& scene, Plan& plan) {
     POL_TRY_DONE(find_covers(scene, plan));
     POL_TRY(const auto relations, relate(scene, plan));
+    for (Solid& solid : plan.solids) {
+        if (plan.kept.contacts) solid.contacts.resize(facet_count(solid));
+        if (plan.kept.covers) solid.covers.resize(facet_count(solid));
+    }
     return RegionBuilder(scene, relations, plan).build();
 }
 
 Kernel Plan::kernel() const {
-    Kernel kernel;
+    Kernel kernel{kept.crystals, kept.absorption};
     for (const WavelengthGroup& group : groups)
         for (const MediumAt& medium : group.media) {
             if (medium.dielectric.kind == MediumKind::uniaxial) kernel.anisotropic = true;

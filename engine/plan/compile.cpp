@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "core/overloaded.h"
@@ -39,26 +40,26 @@ constexpr std::size_t most_half_spaces = 4096;
 /// Shape of a solid in world space: half-spaces where it is flat-faced and convex, else a sphere or a mesh.
 using SolidShape = std::variant<HalfSpaceSolid, Sphere, MeshBody>;
 
-Result<SolidShape> from_mesh(const Mesh& object_mesh, const DMat4& to_world, SolidKernel kernel) {
+Result<SolidShape> from_mesh(const Mesh& object_mesh, const DMat4& to_world, bool as_mesh) {
     POL_TRY(auto mesh, transformed(object_mesh, to_world));
     const bool closed = static_cast<bool>(check_closed(mesh));
     const bool few = mesh.facets.size() <= most_half_spaces;
-    if (kernel == SolidKernel::half_spaces && closed && few && is_convex(mesh)) {
+    if (!as_mesh && closed && few && is_convex(mesh)) {
         POL_TRY(auto solid, HalfSpaceSolid::from_mesh(std::move(mesh)));
         return SolidShape{std::move(solid)};
     }
     return SolidShape{MeshBody{std::move(mesh), closed}};
 }
 
-Result<SolidShape> solid_shape(const Object& object, SolidKernel kernel) {
+Result<SolidShape> solid_shape(const Object& object, bool as_mesh) {
     if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
         POL_TRY(auto made, make_sphere(*sphere, object.to_world));
         return SolidShape{made};
     }
     if (const auto* file = std::get_if<MeshShape>(&object.shape))
-        return from_mesh(*file->mesh, object.to_world, kernel);
+        return from_mesh(*file->mesh, object.to_world, as_mesh);
     POL_TRY(auto mesh, make_mesh(object.shape));
-    return from_mesh(mesh, object.to_world, kernel);
+    return from_mesh(mesh, object.to_world, as_mesh);
 }
 
 /// By facet, as from_mesh() keeps them: whether it looks along one of `directions`, to a milliradian (what three digits
@@ -97,9 +98,9 @@ Result<std::vector<bool>> black_facets(const Shape& shape, const std::vector<DVe
     return black;
 }
 
-Result<Done> add_solid(const Scene& scene, const Object& object, int index, const FilledWith& filling,
-                       SolidKernel kernel, MediaTable& media, Plan& plan) {
-    auto shape = solid_shape(object, kernel);
+Result<Done> add_solid(const Scene& scene, const Object& object, int index, const FilledWith& filling, bool as_mesh,
+                       MediaTable& media, Plan& plan) {
+    auto shape = solid_shape(object, as_mesh);
     if (!shape) return at_object(shape.error(), scene, index);
     if (const auto* mesh = std::get_if<MeshBody>(&shape.value()); mesh != nullptr && !mesh->closed) {
         Error error = check_closed(mesh->mesh).error();
@@ -123,7 +124,7 @@ Result<Done> add_solid(const Scene& scene, const Object& object, int index, cons
     return Done{};
 }
 
-Result<Done> add_surface(const Scene& scene, const Object& object, int index, SolidKernel kernel, Plan& plan) {
+Result<Done> add_surface(const Scene& scene, const Object& object, int index, bool as_mesh, Plan& plan) {
     Surface surface{object.name, index, Sphere{}, AbsorberRole{}};
     const auto open = [&](const auto& shape) -> Result<Done> {
         POL_TRY(auto made, OpenSurface::from(shape, object.to_world));
@@ -134,7 +135,7 @@ Result<Done> add_surface(const Scene& scene, const Object& object, int index, So
                                                [&](const RectangleShape& s) { return open(s); },
                                                [&](const DiskShape& s) { return open(s); },
                                                [&](const auto&) -> Result<Done> {
-                                                   POL_TRY(auto shape, solid_shape(object, kernel));
+                                                   POL_TRY(auto shape, solid_shape(object, as_mesh));
                                                    std::visit([&](auto& s) { surface.shape = std::move(s); }, shape);
                                                    return Done{};
                                                },
@@ -184,8 +185,9 @@ Result<Done> group_wavelengths(const Scene& scene, const MediaTable& media, Plan
         POL_TRY(const auto plates, plate_crystals(scene, plan, plan.wavelengths_nm[w]));
         const std::uint32_t places = media.disperses() ? places_of(plan.wavelengths_nm[w]) : 0;
         std::size_t group = 0;
-        while (group < plan.groups.size() && !(plan.groups[group].media == at && plan.groups[group].places == places &&
-                                               same_plates(plan, static_cast<int>(group), plates)))
+        while (group < plan.groups.size() && (plan.kept.tree_per_wavelength ||
+                                              !(plan.groups[group].media == at && plan.groups[group].places == places &&
+                                                same_plates(plan, static_cast<int>(group), plates))))
             ++group;
         if (group == plan.groups.size()) {
             plan.groups.push_back({{}, at, key_of(at, plates), places});
@@ -279,7 +281,7 @@ Result<Done> place_camera(const Scene& scene, Plan& plan) {
         plan.camera_regions = {plan.region_at(scene.camera.position)};
         if (!is_fit_for_camera(plan, plan.camera_regions[0])) unfit = plan.camera_regions[0];
     }
-    plan.camera_region = plan.camera_regions.size() == 1 ? plan.camera_regions[0] : -1;
+    plan.camera_region = plan.camera_regions.size() == 1 && !plan.kept.start_search ? plan.camera_regions[0] : -1;
     if (unfit < 0) return Done{};
     const int owner = plan.regions[static_cast<std::size_t>(unfit)].owner;
     return at_place(
@@ -294,11 +296,16 @@ Result<Done> place_camera(const Scene& scene, Plan& plan) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kernel) {
+Result<std::shared_ptr<const Plan>> compile(const Scene& scene, const SpareParts& kept) {
     if (auto problem = first_problem(scene)) return *problem;
     auto plan = std::make_shared<Plan>();
     plan->settings = scene.render;
     plan->title = scene.title;
+    plan->kept = kept;
+    if (kept.depth_limit && !plan->settings.depth) {
+        plan->settings.node_budget = plan->settings.node_budget_in_force();  // a limit would change the usual one
+        plan->settings.depth = std::numeric_limits<int>::max();
+    }
     plan->wavelengths_nm = scene.render.wavelengths_nm;
 
     MediaTable media(scene);
@@ -308,8 +315,9 @@ Result<std::shared_ptr<const Plan>> compile(const Scene& scene, SolidKernel kern
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const auto* filling = std::get_if<FilledWith>(&object.role);
-        POL_TRY_DONE(filling != nullptr ? add_solid(scene, object, static_cast<int>(i), *filling, kernel, media, *plan)
-                                        : add_surface(scene, object, static_cast<int>(i), kernel, *plan));
+        POL_TRY_DONE(filling != nullptr
+                         ? add_solid(scene, object, static_cast<int>(i), *filling, kept.meshes, media, *plan)
+                         : add_surface(scene, object, static_cast<int>(i), kept.meshes, *plan));
     }
     plan->length_scale = extent(*plan);
     POL_TRY_DONE(group_wavelengths(scene, media, *plan));

@@ -17,15 +17,6 @@ namespace pol {
 
 namespace {
 
-std::size_t facet_count(const Solid& solid) {
-    return std::visit(Overloaded{
-                          [](const HalfSpaceSolid& s) { return s.mesh().facets.size(); },
-                          [](const Sphere&) { return std::size_t{1}; },
-                          [](const MeshBody& s) { return s.mesh.facets.size(); },
-                      },
-                      solid.shape);
-}
-
 /// What of a body can lie in a face of another one.
 struct Boundary {
     Mesh mesh;                       ///< empty: a sphere
@@ -92,6 +83,15 @@ Result<Done> refuse_coincident(const Scene& scene, const Plan& plan, const std::
 }
 
 }  // namespace
+
+std::size_t facet_count(const Solid& solid) {
+    return std::visit(Overloaded{
+                          [](const HalfSpaceSolid& s) { return s.mesh().facets.size(); },
+                          [](const Sphere&) { return std::size_t{1}; },
+                          [](const MeshBody& s) { return s.mesh.facets.size(); },
+                      },
+                      solid.shape);
+}
 
 void add_contact(Solid& solid, std::vector<std::vector<Contact>> Solid::*list, int facet, const Contact& contact) {
     std::vector<std::vector<Contact>>& by_facet = solid.*list;

@@ -2,6 +2,7 @@
 // Surfaces that lie in a face of a solid or in each other.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "scene/scene.h"
 
 namespace pol {
+
+/// Length of the lists by facet.
+std::size_t facet_count(const Solid& solid);
 
 /// Adds to one of the lists by facet of a solid.
 void add_contact(Solid& solid, std::vector<std::vector<Contact>> Solid::*list, int facet, const Contact& contact);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "plan/spare_parts.h"
+
 namespace pol {
 
 /// One line of the plan's account.
@@ -12,6 +14,8 @@ struct Feature {
     std::string name;  ///< "dispersion", "crystals", ...
     bool needed = false;
     std::string reason;  ///< by which object, or why not
+    /// Of a feature that was left out: its code, which compile() can keep. Null: there is none that would run.
+    bool SpareParts::*spare = nullptr;
 };
 
 /// The account for the user, and what makes bounds less than bounds.

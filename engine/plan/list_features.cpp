@@ -58,9 +58,13 @@ std::vector<std::string> mesh_bodies(const Plan& plan) {
 
 class Account {
 public:
+    /// `spare`: the code for it, if there is some that would run.
     void add(const std::string& name, const std::vector<std::string>& users, const std::string& use,
-             const std::string& why_not) {
-        list.push_back({name, !users.empty(), users.empty() ? why_not : use + join(users)});
+             const std::string& why_not, bool SpareParts::*spare = nullptr) {
+        say(name, !users.empty(), users.empty() ? why_not : use + join(users), spare);
+    }
+    void say(const std::string& name, bool needed, const std::string& reason, bool SpareParts::*spare = nullptr) {
+        list.push_back({name, needed, reason, needed ? nullptr : spare});
     }
     std::vector<Feature> list;
 };
@@ -83,10 +87,11 @@ void account_for_matter(const Plan& plan, Account& account) {
     account.add("dispersion", dispersive,
                 trees + " trees for " + std::to_string(plan.wavelengths_nm.size()) + " wavelengths: ",
                 plan.wavelengths_nm.size() == 1 ? "one wavelength asked"
-                                                : "no medium changes with wavelength: one tree serves all");
+                                                : "no medium changes with wavelength: one tree serves all",
+                plan.wavelengths_nm.size() == 1 ? nullptr : &SpareParts::tree_per_wavelength);
     account.add("crystals (o and e rays)",
                 solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::uniaxial; }),
-                "double refraction in ", "no medium with two different indices");
+                "double refraction in ", "no medium with two different indices", &SpareParts::crystals);
     account.add("metals",
                 solids_with(plan, [](const MediumAt& m) { return m.dielectric.kind == MediumKind::conductor; }),
                 "complex index of ", "no conductor");
@@ -97,7 +102,7 @@ void account_for_matter(const Plan& plan, Account& account) {
                             }),
                 "complex index of ", "no isotropic medium absorbs");
     account.add("absorption along rays", solids_with(plan, [](const MediumAt& m) { return m.absorption.absorbs(); }),
-                "Beer-Lambert in ", "no medium absorbs");
+                "Beer-Lambert in ", "no medium absorbs", &SpareParts::absorption);
     account.add("polarizers and retarders", surfaces_with<SheetRole>(plan), "", "no sheets");
 }
 
@@ -106,14 +111,57 @@ void account_for_extinction(const Scene& scene, Account& account) {
                 "every record that has k has it at all wavelengths");
 }
 
+/// Whether a list by facet has any entry.
+bool is_listed(const std::vector<std::vector<Contact>>& by_facet) {
+    return std::any_of(by_facet.begin(), by_facet.end(), [](const auto& entries) { return !entries.empty(); });
+}
+
+/// What fills the regions that rays start in.
+std::vector<std::string> region_names(const Plan& plan) {
+    std::vector<std::string> names;
+    for (const int region : plan.camera_regions) {
+        const int owner = plan.regions[static_cast<std::size_t>(region)].owner;
+        names.push_back(owner < 0 ? "the surroundings" : plan.solid(owner).name);
+    }
+    return names;
+}
+
+/// Surfaces that are not looked for in some region. There are three that take more than time if they are: one in a face
+/// of a solid (`covered`), which a ray must not meet from inside, and a sheet or a mesh, which would make a region no
+/// longer open (Region::is_open).
+void account_for_reach(const Plan& plan, bool covered, Account& account) {
+    std::vector<std::string> out_of_reach;
+    bool only_time = !covered;
+    for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
+        const Surface& surface = plan.surfaces[i];
+        const int body = plan.solid_count() + static_cast<int>(i);
+        const bool everywhere = std::all_of(plan.regions.begin(), plan.regions.end(), [body](const Region& region) {
+            return std::count(region.surfaces.begin(), region.surfaces.end(), body) > 0 ||
+                   std::count(region.caster_body.begin(), region.caster_body.end(), body) > 0;
+        });
+        if (everywhere) continue;
+        out_of_reach.push_back(surface.name);
+        if (std::holds_alternative<SheetRole>(surface.role) || std::holds_alternative<MeshBody>(surface.shape))
+            only_time = false;
+    }
+    if (out_of_reach.empty())
+        account.say("surfaces in every region", !plan.surfaces.empty(),
+                    plan.surfaces.empty() ? "no surface" : "all can be met from everywhere");
+    else
+        account.say("surfaces in every region", false, "not looked for where they cannot be: " + join(out_of_reach),
+                    only_time ? &SpareParts::every_surface : nullptr);
+}
+
 void account_for_geometry(const Plan& plan, Account& account) {
     std::vector<std::string> half_spaces;
     std::vector<std::string> spheres;
     std::vector<std::string> touching;
+    std::vector<std::string> covered;
     for (const Solid& solid : plan.solids) {
         if (std::holds_alternative<HalfSpaceSolid>(solid.shape)) half_spaces.push_back(solid.name);
         if (std::holds_alternative<Sphere>(solid.shape)) spheres.push_back(solid.name);
-        if (!solid.contacts.empty()) touching.push_back(solid.name);
+        if (is_listed(solid.contacts)) touching.push_back(solid.name);
+        if (is_listed(solid.covers)) covered.push_back(solid.name);
     }
     std::vector<std::string> nested;
     for (const Region& region : plan.regions)
@@ -123,13 +171,19 @@ void account_for_geometry(const Plan& plan, Account& account) {
                     nested.push_back(plan.solid(member).name);
     account.add("half-space solids", half_spaces, "exact planes in double: ", "no flat convex solid");
     account.add("analytic spheres", spheres, "", "no sphere");
-    account.add("Embree scene", mesh_bodies(plan),
-                "meshes that are not convex, not closed, or of more than 4096 facets: ",
-                "flat convex solids, spheres and flat surfaces need none");
-    account.add("shared faces", touching, "touching solids become one interface: ", "no two solids touch");
+    account.add(
+        "Embree scene", mesh_bodies(plan), "meshes that are not convex, not closed, or of more than 4096 facets: ",
+        "flat convex solids, spheres and flat surfaces need none", half_spaces.empty() ? nullptr : &SpareParts::meshes);
+    account.add("shared faces", touching, "touching solids become one interface: ", "no two solids touch",
+                plan.solids.empty() ? nullptr : &SpareParts::contacts);
+    account.add("lamps or absorbers in faces", covered, "met before what lies behind them: faces of ",
+                "none lies in a face of a solid", plan.solids.empty() ? nullptr : &SpareParts::covers);
     account.add("faces nearly in one plane", near_misses(plan),
                 "traced as written, gap or overlap: ", "none within a millionth of each other that do not touch");
     account.add("nested or overlapping media", nested, "", "no solid lies inside another");
+    account.add("start of every ray", plan.camera_region < 0 ? region_names(plan) : std::vector<std::string>(),
+                "rays start in ", "all rays start in one region", &SpareParts::start_search);
+    account_for_reach(plan, !covered.empty(), account);
 }
 
 void account_for_light(const Scene& scene, const Plan& plan, Account& account) {
@@ -144,17 +198,22 @@ void account_for_light(const Scene& scene, const Plan& plan, Account& account) {
     account.add("textured emission", textured, "", "no emitter has a texture");
     account.add("polarized emission", polarized, "", "every emitter is unpolarized");
     const bool lit = std::any_of(plan.background.begin(), plan.background.end(), [](double v) { return v != 0.0; });
-    account.list.push_back({"background light", lit, lit ? "uniform surroundings" : "black surroundings"});
+    account.say("background light", lit, lit ? "uniform surroundings" : "black surroundings");
     const bool area = plan.settings.mode == SampleMode::area;
-    account.list.push_back({"pixel area sampling", area,
-                            area ? "quasi-random over each pixel" : "point mode: one ray through the pixel centre"});
+    account.say("pixel area sampling", area,
+                area ? "quasi-random over each pixel" : "point mode: one ray through the pixel centre");
+    const bool halves = plan.settings.has_halves();
+    account.say("halves of the samples", halves,
+                halves ? "their difference tells the error of sampling"
+                       : std::string(area ? "one sample" : "all samples are one ray") + ": no error to tell",
+                &SpareParts::halves);
     const bool polarized_light = !plan.settings.unpolarized;
-    account.list.push_back({"polarization", polarized_light,
-                            polarized_light ? "a matrix for every branch" : "forgotten at every surface, as asked"});
+    account.say("polarization", polarized_light,
+                polarized_light ? "a matrix for every branch" : "forgotten at every surface, as asked");
     const bool depth = plan.settings.depth.has_value();
-    account.list.push_back(
-        {"depth limit", depth,
-         depth ? "the paper's mode: depth " + std::to_string(*plan.settings.depth) : "trees are cut by energy"});
+    account.say("depth limit", depth,
+                depth ? "the paper's mode: depth " + std::to_string(*plan.settings.depth) : "trees are cut by energy",
+                &SpareParts::depth_limit);
 }
 
 /// Glass that absorbs, in solids with faces that are not parallel. Waves in it are followed as those behind one plane
@@ -221,14 +280,13 @@ Features list_features(const Scene& scene, const Plan& plan) {
     features.meshes = !mesh_bodies(plan).empty();
     features.kernel = to_string(plan.kernel());
     features.doubts = coherence_doubts(plan, scene.unit_nm);
-    account.list.push_back({"interference", false,
-                            features.doubts.empty()
-                                ? "powers are added: nothing with parallel faces is thinner than light stays coherent"
-                                : "powers are added, though this scene would show it: see below"});
+    account.say("interference", false,
+                features.doubts.empty()
+                    ? "powers are added: nothing with parallel faces is thinner than light stays coherent"
+                    : "powers are added, though this scene would show it: see below");
     const std::string one_by_one = why_not_in_lanes(plan);
-    account.list.push_back(
-        {"branches side by side", one_by_one.empty(),
-         one_by_one.empty() ? "one transparent solid with flat faces" : "one by one: " + one_by_one});
+    account.say("branches side by side", one_by_one.empty(),
+                one_by_one.empty() ? "one transparent solid with flat faces" : "one by one: " + one_by_one);
     for (std::string& doubt : doubts_of_crystal_faces(scene, plan)) features.doubts.push_back(std::move(doubt));
     for (std::string& doubt : doubts_of_absorbing_glass(plan)) features.doubts.push_back(std::move(doubt));
     features.list = std::move(account.list);

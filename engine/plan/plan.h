@@ -15,6 +15,7 @@
 #include "plan/emitter.h"
 #include "plan/features.h"
 #include "plan/kernel.h"
+#include "plan/spare_parts.h"
 #include "scene/scene.h"
 
 namespace pol {
@@ -77,6 +78,7 @@ struct Plan {
     int camera_region = 0;            ///< region of the camera if it is the same for all pixels, else -1
     std::vector<int> camera_regions;  ///< all regions that its rays may start in
     double length_scale = 1.0;        ///< largest coordinate of the scene, for drawings and checks
+    SpareParts kept;                  ///< code that it has, needed or not
     std::vector<double> brightest;    ///< bound of 2 lambda_max over all that can be seen, per wavelength
     Features features;
 
@@ -90,7 +92,7 @@ struct Plan {
         return is_solid(body) ? solid(body).name : surface(body).name;
     }
 
-    /// By all media of all groups.
+    /// By all media of all groups, and what is kept.
     [[nodiscard]] Kernel kernel() const;
 
     /// Region that contains a point (boundaries count as outside).

@@ -39,7 +39,7 @@ public:
         const std::size_t groups = plan_.groups.size();
         buffer.samples = last - first;
         buffer.stokes.assign(pixels * wavelengths, {});
-        const bool halved = plan_.settings.mode == SampleMode::area && plan_.settings.samples_per_pixel > 1;
+        const bool halved = plan_.settings.has_halves() || plan_.kept.halves;
         buffer.odd_minus_even.assign(halved ? pixels * wavelengths : 0, {});
         buffer.residual.assign(pixels * groups, 0.0);
         buffer.tail.assign(pixels * groups, 0.0);

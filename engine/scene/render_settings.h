@@ -39,6 +39,9 @@ struct RenderSettings {
     [[nodiscard]] int usual_node_budget() const { return depth ? whole_tree : mode == SampleMode::area ? 12 : 1000; }
     [[nodiscard]] int node_budget_in_force() const { return node_budget.value_or(usual_node_budget()); }
 
+    /// Samples that are random are kept apart in two halves, whose difference tells their error.
+    [[nodiscard]] bool has_halves() const { return mode == SampleMode::area && samples_per_pixel > 1; }
+
     /// The paper's mode: the depth alone cuts the tree. Residual and node budget can be set again afterwards.
     void cut_by_depth_alone(int limit) {
         depth = limit;

@@ -42,11 +42,26 @@ objects:
 
 TEST(Features, AFlatConvexSolidOfGlassNeedsNothingButItsPlanes) {
     const auto plan = box_of("1.5", "380:780:20");
-    for (const char* name :
-         {"dispersion", "crystals (o and e rays)", "metals", "absorption along rays", "extinction taken as 0",
-          "polarizers and retarders", "analytic spheres", "Embree scene", "shared faces", "faces nearly in one plane",
-          "nested or overlapping media", "textured emission", "polarized emission", "background light",
-          "pixel area sampling", "depth limit"})
+    for (const char* name : {"dispersion",
+                             "crystals (o and e rays)",
+                             "metals",
+                             "absorption along rays",
+                             "extinction taken as 0",
+                             "polarizers and retarders",
+                             "analytic spheres",
+                             "Embree scene",
+                             "shared faces",
+                             "faces nearly in one plane",
+                             "nested or overlapping media",
+                             "textured emission",
+                             "polarized emission",
+                             "background light",
+                             "pixel area sampling",
+                             "halves of the samples",
+                             "lamps or absorbers in faces",
+                             "start of every ray",
+                             "surfaces in every region",
+                             "depth limit"})
         EXPECT_FALSE(feature(*plan, name).needed) << name;
     EXPECT_TRUE(feature(*plan, "half-space solids").needed);
     EXPECT_NE(feature(*plan, "half-space solids").reason.find("thing"), std::string::npos);
@@ -105,6 +120,50 @@ TEST(Features, NeededOnesNameWhoNeedsThem) {
     names(busy, "shared faces", "neighbor");
     names(busy, "nested or overlapping media", "bubble");
     names(busy, "analytic spheres", "bubble");
+
+    // A lamp in a face, and rays that start on both sides of one.
+    names(
+        box_of("1.5", "580",
+               "  - {name: seal, shape: {disk: {radius: 0.2}}, transform: [{translate: [0, 0, 0.5]}], absorber: on}\n"),
+        "lamps or absorbers in faces", "thing");
+    Scene wide = test::shipped_scene("cube-glass");
+    wide.camera.projection = Projection::orthographic;
+    wide.camera.position = {0.0, 0.0, 0.0};
+    wide.camera.target = {0.0, 1.0, 0.0};
+    wide.camera.up = {0.0, 0.0, 1.0};
+    wide.camera.width = 4.0;
+    const auto inside_and_out = test::plan_of(wide);
+    names(inside_and_out, "start of every ray", "cube");
+    names(inside_and_out, "start of every ray", "the surroundings");
+
+    Scene noisy = wide;
+    noisy.render.mode = SampleMode::area;
+    noisy.render.samples_per_pixel = 1;
+    EXPECT_FALSE(feature(*test::plan_of(noisy), "halves of the samples").needed);
+    noisy.render.samples_per_pixel = 2;
+    names(test::plan_of(noisy), "halves of the samples", "error of sampling");
+}
+
+// Only code that would run can be kept, and only what is left out has some to keep.
+TEST(Features, WhatIsNeededHasNothingToKeep) {
+    for (const char* matter : {"1.5", "{crystal: calcite}", "{index: 1.5, absorption: 2}"})
+        for (const Feature& f : box_of(matter, "[450, 650]")->features.list)
+            EXPECT_TRUE(!f.needed || f.spare == nullptr) << matter << ": " << f.name;
+    const auto glass = box_of("1.5", "[450, 650]");
+    EXPECT_EQ(feature(*glass, "dispersion").spare, &SpareParts::tree_per_wavelength);
+    EXPECT_EQ(feature(*box_of("1.5", "580"), "dispersion").spare, nullptr);
+    EXPECT_EQ(feature(*glass, "metals").spare, nullptr);
+    EXPECT_EQ(feature(*glass, "surfaces in every region").spare, &SpareParts::every_surface);
+    // Who comes out of a face that a lamp lies in must not meet the lamp first.
+    const auto lamp_in_face = box_of("1.5", "580",
+                                     "  - {name: seal, shape: {disk: {radius: 0.2}}, transform: [{translate: [0, 0, "
+                                     "0.5]}], emission: {radiance: 1}}\n");
+    EXPECT_EQ(feature(*lamp_in_face, "surfaces in every region").spare, nullptr);
+    // Outside, where a sheet is looked for, no branch ends when it is born (Region::is_open).
+    const auto sheet_inside = box_of(
+        "1.5", "580", "  - {name: foil, shape: {rectangle: {size: 0.4}}, sheet: {polarizer: {axis: [1, 0, 0]}}}\n");
+    EXPECT_FALSE(feature(*sheet_inside, "surfaces in every region").needed);
+    EXPECT_EQ(feature(*sheet_inside, "surfaces in every region").spare, nullptr);
 }
 
 // Equal indices make a crystal glass: no anisotropic code, and the picture is that of glass to the bit.

@@ -86,8 +86,8 @@ Scene furnace_slab(double n, double size) {
 
 // The slab's corners are exact in double, so that its planes and its triangles are the same faces.
 TEST(WideReplay, GivesTheLightOfACutFurnaceToThirtyDigitsInASlabOfPlanesOrTriangles) {
-    for (const SolidKernel kernel : {SolidKernel::half_spaces, SolidKernel::embree}) {
-        const auto plan = compile(furnace_slab(1.5, 20.0), kernel).value();
+    for (const bool meshes : {false, true}) {
+        const auto plan = compile(furnace_slab(1.5, 20.0), {.meshes = meshes}).value();
         const Explanation explanation = explain(*plan, 0, 0, 0, 0);
         const Vec3<Quad> direction = unit(Vec3<Quad>(explanation.task.ray.direction));
         const auto [s0, s1] = cut_furnace_light(Quad(1.5), abs(direction.x), depth);

@@ -54,7 +54,7 @@ public:
 
 private:
     /// Empty when the user stops it; an error if the scene does not compile.
-    Result<std::optional<Shot>> shoot(const RenderSettings& settings, SolidKernel kernel);
+    Result<std::optional<Shot>> shoot(const RenderSettings& settings, const SpareParts& kept = {});
     Result<Done> find_reference();
     Result<Done> check_given_reference(const RenderSettings& deep);
     [[nodiscard]] RenderSettings deepest() const;
@@ -124,12 +124,12 @@ const RunRow* Sweep::row_of(const RunSetting& setting, std::uint64_t seed) const
     return found == result_.rows.end() ? nullptr : &*found;
 }
 
-Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, SolidKernel kernel) {
+Result<std::optional<Shot>> Sweep::shoot(const RenderSettings& settings, const SpareParts& kept) {
     Scene scene = request_.scene;
     scene.render = settings;
     Shot shot;
     const auto compiling = Clock::now();
-    POL_TRY(auto plan, compile(scene, kernel));
+    POL_TRY(auto plan, compile(scene, kept));
     shot.compile_s = seconds_since(compiling);
     shot.trees = static_cast<double>(plan->groups.size());
     shot.kernel = plan->features.kernel;
@@ -217,7 +217,7 @@ Result<Done> Sweep::check_given_reference(const RenderSettings& deep) {
     result_.reference_id = fmt::format("{} ({:016x})", request_.reference->filename().string(), content);
 
     doing_ = "our own picture, to check the reference";
-    POL_TRY(const auto shot, shoot(deep, SolidKernel::half_spaces));
+    POL_TRY(const auto shot, shoot(deep));
     if (!shot) return Done{};
     const StokesImage& own = shot->image;
     // A number and the bounds beside it are each rounded once.
@@ -245,7 +245,7 @@ Result<Done> Sweep::find_reference() {
     if (request_.reference) return check_given_reference(deep);
     const bool area = deep.mode == SampleMode::area;
     Scene probe = request_.scene;
-    const bool embree = static_cast<bool>(compile(probe, SolidKernel::embree));
+    const bool embree = static_cast<bool>(compile(probe, {.meshes = true}));
     result_.reference_id = std::string("own: residual ") + number_text(deep.residual) + ", " +
                            std::to_string(deep.node_budget_in_force()) + " branches, 2 x " +
                            std::to_string(deep.samples_per_pixel) +
@@ -266,7 +266,7 @@ Result<Done> Sweep::find_reference() {
     for (const std::uint64_t seed : {0x5eed0001ULL, 0x5eed0002ULL}) {
         deep.seed = seed;
         doing_ = "reference " + std::to_string(halves.size() + 1) + " of 2";
-        POL_TRY(auto shot, shoot(deep, embree ? SolidKernel::embree : SolidKernel::half_spaces));
+        POL_TRY(auto shot, shoot(deep, {.meshes = embree}));
         if (!shot) return Done{};
         halves.push_back(std::move(shot->image));
     }
@@ -325,7 +325,7 @@ Result<const StokesImage*> Sweep::deeper_than(const RenderSettings& settings) {
     deep.residual = 1e-6;
     deep.node_budget = 8 * request_.scene.render.node_budget_in_force();
     deep.wavelengths_nm = request_.scene.render.wavelengths_nm;
-    POL_TRY(auto shot, shoot(deep, SolidKernel::half_spaces));
+    POL_TRY(auto shot, shoot(deep));
     if (!shot) return static_cast<const StokesImage*>(nullptr);
     return &deeper_.emplace(settings.samples_per_pixel, std::move(shot->image)).first->second;
 }
@@ -372,7 +372,7 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     double spent = 0.0;
     int repeats = 0;
     while (repeats < request_.most_repeats && (repeats == 0 || (spent < enough_s && best.wall_s < long_s))) {
-        POL_TRY(auto shot, shoot(settings, SolidKernel::half_spaces));
+        POL_TRY(auto shot, shoot(settings));
         if (!shot) return false;
         spent += shot->wall_s;
         if (repeats == 0) best = std::move(*shot);
@@ -437,7 +437,7 @@ Result<ConvergenceResult> Sweep::run() {
     POL_TRY_DONE(write_file(file("anytime.csv"), anytime_csv(result_.anytime)));
 
     doing_ = "warm-up";
-    POL_TRY_DONE(shoot(settings_.front().settings, SolidKernel::half_spaces));
+    POL_TRY_DONE(shoot(settings_.front().settings));
     for (int seed = 0; seed < request_.seeds && !stopped_; ++seed) {
         for (std::size_t i = 0; i < settings_.size() && !stopped_; ++i) {
             const RunSetting& setting = settings_[seed % 2 == 0 ? i : settings_.size() - 1 - i];
