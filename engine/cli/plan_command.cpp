@@ -3,11 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
+#include "cli/ablation_report.h"
+#include "cli/interruption.h"
 #include "cli/messages.h"
+#include "cli/progress_line.h"
 #include "cli/scene_options.h"
+#include "verify/ablation/ablation.h"
 
 namespace pol {
 
@@ -16,6 +25,9 @@ namespace {
 struct PlanRequest {
     SceneOptions scene;
     bool json = false;
+    bool ablate = false;
+    std::optional<int> rounds;
+    bool quiet = false;
 };
 
 void print_text(const Plan& plan) {
@@ -49,7 +61,45 @@ void print_json(const Plan& plan) {
     fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
+/// Few enough to be soon done, and more than one, so that what is kept for several is there.
+constexpr int most_ablation_samples = 2;
+
+int run_ablation(const PlanRequest& request) {
+    constexpr int most_rounds = 1000;
+    constexpr double longest_render_s = 0.1;
+    verify::AblationRequest work;
+    work.rounds = request.rounds.value_or(work.rounds);
+    if (work.rounds < 1 || work.rounds > most_rounds)
+        return report(usage_error("--rounds", fmt::format("{} rounds measure nothing", work.rounds),
+                                  fmt::format("1 to {}", most_rounds)));
+    auto scene = load_scene_with(request.scene);
+    if (!scene) return report(scene.error());
+    work.scene = std::move(scene).value();
+    int& samples = work.scene.render.samples_per_pixel;
+    if (!request.scene.gives("spp")) samples = std::min(samples, most_ablation_samples);
+    if (!request.scene.gives("size")) work.longest_render_s = longest_render_s;
+
+    remember_signals();
+    ProgressLine line(request.quiet, stderr);
+    const auto result = verify::ablate(work, [&line](double done, const std::string& doing) {
+        if (caught_signal() == 0) line.show(done, std::numeric_limits<double>::quiet_NaN(), doing);
+        return caught_signal() == 0;
+    });
+    line.finish();
+    if (!result) return report(result.error());
+    if (!result.value().complete) {
+        remark("polariscope: stopped before all was measured; there is no table\n");
+        return interrupted_exit_code();
+    }
+    fmt::print("{}", request.json ? ablation_json(result.value()) : ablation_text(result.value()));
+    return conclude(result.value());
+}
+
 int run(const PlanRequest& request) {
+    if (request.ablate) return run_ablation(request);
+    if (request.rounds || request.quiet)
+        return report(
+            usage_error(request.rounds ? "--rounds" : "--quiet", "nothing is rendered", "it goes with --ablate"));
     const auto loaded = load_plan(request.scene);
     if (!loaded) return report(loaded.error());
     request.json ? print_json(*loaded.value().plan) : print_text(*loaded.value().plan);
@@ -64,7 +114,19 @@ void add_plan_command(ProgramCommand app, int& exit_code) {
         app.add_subcommand("plan", "Show what a scene needs of the tracer and what is left out, and why");
     add_scene_options(command, request->scene);
     command.add_flag("--json", request->json, "Print JSON");
-    command.footer("Example:\n  polariscope plan assets/scenes/cube-calcite.yaml --wavelengths 380:780:20");
+    command.add_flag(
+        "--ablate", request->ablate,
+        "Keep what is left out, a feature at a time: what does leaving it out save, and is the picture the "
+        "same to the bit?");
+    command.add_option("--rounds", request->rounds, "Of --ablate: renders with and without each feature (default: 5)");
+    command.add_flag("--quiet", request->quiet, "Of --ablate: no progress");
+    command.footer(
+        "--ablate renders with and without a feature in turn, on one thread, and prints medians of CPU time. Without\n"
+        "--size the picture is made so small that a render takes 0.1 s, without --spp of no more than 2 samples.\n"
+        "Exit code 1: with some feature kept the picture is another one.\n"
+        "\nExamples:\n"
+        "  polariscope plan assets/scenes/cube-calcite.yaml --wavelengths 380:780:20\n"
+        "  polariscope plan assets/scenes/cube-glass.yaml --ablate --size 256x256");
     command.callback([request, &exit_code] { exit_code = run(*request); });
 }
 

@@ -24,7 +24,8 @@ std::string time_left(double done, double seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool quiet, std::FILE* stream)
+    : stream_(stream), quiet_(quiet), terminal_(isatty(fileno(stream)) == 1) {}
 
 void ProgressLine::show(double done, double elapsed) {
     show(done, elapsed / done - elapsed, {});
@@ -37,12 +38,12 @@ void ProgressLine::show(double done, double seconds_left, const std::string& doi
         fmt::format("{}progress {:.1f}%{}{}{}{}", terminal_ ? erase_line : "", 100.0 * done,
                     time_left(done, seconds_left), doing.empty() ? "" : ": ", doing, terminal_ ? "" : "\n");
     // Where this fails, on a full disk, the work goes on; run_program sees it at the end.
-    static_cast<void>(std::fputs(line.c_str(), stdout));
-    static_cast<void>(std::fflush(stdout));
+    static_cast<void>(std::fputs(line.c_str(), stream_));
+    static_cast<void>(std::fflush(stream_));
 }
 
 void ProgressLine::finish() {
-    if (!quiet_ && terminal_) static_cast<void>(std::fputs(erase_line, stdout));
+    if (!quiet_ && terminal_) static_cast<void>(std::fputs(erase_line, stream_));
 }
 
 }  // namespace pol

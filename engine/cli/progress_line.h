@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdio>
 #include <string>
 
 namespace pol {
 
-/// How far a render is, on stdout: one line that is rewritten in place on a terminal, else a new line whenever a tenth
+/// How far a render is: one line that is rewritten in place on a terminal, else a new line whenever a tenth
 /// more is done, so that logs stay short. "progress 37.5%, 2 min 10 s left".
 class ProgressLine {
 public:
-    explicit ProgressLine(bool quiet);
+    /// On stderr where stdout is for results that other programs read.
+    explicit ProgressLine(bool quiet, std::FILE* stream = stdout);
 
     /// `done` from 0 to 1 after `elapsed` seconds; the time left assumes that the rest is as hard as what is done.
     void show(double done, double elapsed);
@@ -21,6 +23,7 @@ public:
     void finish();
 
 private:
+    std::FILE* stream_;
     bool quiet_;
     bool terminal_;
     double shown_ = -1.0;

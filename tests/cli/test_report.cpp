@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/ablation_report.h"
 #include "cli/messages.h"
 #include "report/number_words.h"
 
@@ -45,6 +46,31 @@ TEST(Report, BytesThatATerminalWouldObeyOrThatAreNoTextAreSpelledOut) {
     EXPECT_EQ(printable("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");
     EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");
     EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
+}
+
+// A defect of this program (README, "Exit codes").
+TEST(Report, AFeatureThatChangesThePictureIsNamedAndEndsInExitCode1) {
+    verify::AblationResult result;
+    result.hash = 0x1234;
+    for (const char* name : {"crystals (o and e rays)", "absorption along rays"}) {
+        verify::AblationRow row;
+        row.feature = name;
+        row.hash = result.hash;
+        row.holds = true;
+        result.rows.push_back(row);
+    }
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(conclude(result), 0);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+
+    result.rows[1].hash = 0x1235;
+    result.rows[1].holds = false;
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(conclude(result), 1);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "polariscope: defect: with 'absorption along rays' kept the picture is another one: 0000000000001235 "
+              "instead of 0000000000001234\n");
+    EXPECT_NE(ablation_text(result).find("OTHER BITS: 0000000000001235"), std::string::npos);
 }
 
 }  // namespace
