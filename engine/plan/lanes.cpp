@@ -24,6 +24,10 @@ bool is_lamp_or_black(const Surface& surface) {
 
 std::string why_not_in_lanes(const Plan& plan) {
     if (plan.kernel() != Kernel{}) return "the kernel is " + to_string(plan.kernel());
+    SpareParts beside_the_kernel;
+    beside_the_kernel.halves = plan.kept.halves;
+    beside_the_kernel.tree_per_wavelength = plan.kept.tree_per_wavelength;
+    if (plan.kept != beside_the_kernel) return "code is kept that lanes leave out";
     if (plan.settings.unpolarized) return "polarization is left out";
     if (plan.settings.depth) return "the depth is limited";
     if (plan.solids.size() != 1) return plan.solids.empty() ? "there is no solid" : "there is more than one solid";
