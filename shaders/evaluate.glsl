@@ -8,13 +8,14 @@ uniform float d65;          // 0: not known
 uniform bool is_measured;    // the Stokes components that the quantity needs are known
 uniform float noise;        // pixel_noise
 uniform float full_weight;  // full_weight_polarization
+uniform float dark_below;   // dark_share of the S0 of the picture's brightest pixel
 
 struct Light {
     vec4 stokes;
     float residual;
     float surplus;
     float unphysical;
-    float dark;
+    float no_light;
     vec3 color;
     bool is_sampled;
 };
@@ -48,8 +49,9 @@ MapPixel evaluate(Light light) {
     Measures m = measure(s, noise);
     if (!is_finite(s) || !is_finite(missing)) return empty(state_not_a_number);
     if (!m.is_light || surplus < 0.0 || light.residual < 0.0) return empty(state_unphysical);
-    if (s.x + missing <= light.dark) return empty(state_no_light);
-    if (!m.has_light) return empty(state_undetermined);
+    if (s.x + missing <= light.no_light) return empty(state_no_light);
+    int unknown = s.x + missing < dark_below ? state_dark : state_undetermined;
+    if (!m.has_light) return empty(unknown);
 
     float radius = missing + surplus;
     vec2 dop_bar = share_bounds(m.polarized, s.x, missing, surplus);
@@ -95,7 +97,7 @@ MapPixel evaluate(Light light) {
     float most = is_linear ? dolp_bar.y : dop_bar.y;
     bool is_unpolarized = fades_with_carrier && most < full_weight;
     bool is_determined = spread < 1.0;
-    if (!is_determined && !is_unpolarized) return empty(state_undetermined);
+    if (!is_determined && !is_unpolarized) return empty(unknown);
     if (!is_there || !is_determined) return empty(state_undefined);
     float weight = fades_with_carrier ? min(1.0, (is_linear ? m.dolp : m.dop) / full_weight) : 1.0;
     return MapPixel(value, weight, state_defined, 1.0 - spread);

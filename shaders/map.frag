@@ -5,7 +5,7 @@
 // would cost as much as all of them.
 
 uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the polarimeter
-uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S0 of darkness (negative: no sample yet)
+uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S0 that is no light (negative: no sample yet)
 uniform sampler2D red;           // red of S0, S1, S2, S3 as the color picture weighs them, before the polarimeter
 uniform sampler2D green;
 uniform sampler2D blue;
@@ -29,7 +29,7 @@ uniform float offset;
 uniform float gamma;
 uniform vec3 ground;             // linear, what fading ends in
 uniform vec3 state_colors[state_count];  // sRGB, by state
-uniform vec3 hatch_dark;
+uniform vec3 other_stripes[state_count];  // the same: every second stripe of what is hatched
 
 out vec4 fragment;
 
@@ -61,7 +61,7 @@ Light mean_light(ivec2 first, ivec2 last) {
             mean.residual += one.residual;
             mean.surplus += one.surplus;
             if (isnan(one.unphysical) || one.unphysical > mean.unphysical) mean.unphysical = one.unphysical;
-            mean.dark += one.dark;
+            mean.no_light += one.no_light;
             mean.color += one.color;
         }
     }
@@ -69,7 +69,7 @@ Light mean_light(ivec2 first, ivec2 last) {
     mean.stokes /= count;
     mean.residual /= count;
     mean.surplus /= count;
-    mean.dark /= count;
+    mean.no_light /= count;
     mean.color /= count;
     return mean;
 }
@@ -114,8 +114,7 @@ vec3 photograph(vec3 light) {
 
 // sRGB of the shown map; `at` in points from the picture's corner. Of a difference the weight has the certainty in it.
 vec3 map_color(MapPixel pixel, ivec2 at) {
-    if (pixel.state == state_undetermined && (at.x + at.y) / 2 % 4 >= 2) return hatch_dark;
-    if (pixel.state != state_defined) return state_colors[pixel.state];
+    if (pixel.state != state_defined) return (at.x + at.y) / 2 % 4 < 2 ? state_colors[pixel.state] : other_stripes[pixel.state];
     float t = (pixel.value - low) / (high - low);
     if (is_photograph && !is_difference) t = developed(vec3(t)).x;
     if (!fades_with_carrier && !fades_by_bar) return scale_color(t, true);

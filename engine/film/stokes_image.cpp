@@ -8,6 +8,22 @@
 
 namespace pol {
 
+double peak_of(const StokesImage& image, std::size_t band) {
+    const double brightest = image.brightest.empty() ? 0.0 : image.brightest[band];
+    double peak = 0.0;
+    for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
+        const double sure = image.at(band, pixel).s0 - image.plane_value(image.tail, band, pixel) * brightest;
+        if (std::isfinite(sure)) peak = std::max(peak, sure);
+    }
+    return peak;
+}
+
+std::vector<double> peaks_of(const StokesImage& image) {
+    std::vector<double> peaks;
+    for (std::size_t band = 0; band < image.bands.size(); ++band) peaks.push_back(peak_of(image, band));
+    return peaks;
+}
+
 void read_in(StokesImage& image, const StokesConvention& convention) {
     const StokesConvention before = image.origin.convention;
     if (convention == before) return;

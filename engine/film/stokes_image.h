@@ -75,6 +75,8 @@ struct StokesImage {
     std::vector<std::uint32_t> failures;
     /// Trace bound of the light that any path can bring, per band: L_max, or 2 L_max with polarized emitters.
     std::vector<double> brightest;
+    /// peak_of each band, kept by whoever changes the picture while it is looked at; empty: to be looked for.
+    std::vector<double> peak;
     /// Header attributes as text, without the "polariscope." prefix: scene_hash, frame, settings, ...
     std::map<std::string, std::string> attributes;
     PictureOrigin origin;
@@ -95,6 +97,12 @@ struct StokesImage {
         return planes.size() == pixel_count() ? planes[pixel_index] : planes[band * pixel_count() + pixel_index];
     }
 };
+
+/// S0 that the brightest pixel of a band has for sure: what a random tail may have too much is taken off. 0 without
+/// light.
+double peak_of(const StokesImage& image, std::size_t band);
+/// Of all bands.
+std::vector<double> peaks_of(const StokesImage& image);
 
 /// Takes the numbers of the file to be in another convention than the reader did: turns them from what they were taken
 /// for back to the file's, and from `convention` to ours. Undone by the former convention, to the bit for signs and

@@ -15,6 +15,8 @@ constexpr Rgb8 black_pixel{0, 0, 0};
 constexpr Rgb8 middle_gray{96, 96, 96};
 constexpr Rgb8 hatch_light{150, 150, 150};
 constexpr Rgb8 hatch_dark{64, 64, 64};
+constexpr Rgb8 quiet_hatch_light{56, 56, 56};
+constexpr Rgb8 quiet_hatch_dark{36, 36, 36};
 constexpr Rgb8 slate{52, 70, 96};
 constexpr Rgb8 magenta{255, 0, 255};
 constexpr Rgb8 dark_magenta{140, 0, 140};
@@ -82,13 +84,16 @@ double developed(double light, const MapOptions& options) {
 }
 
 Rgb8 state_color(PixelState state, int x, int y, bool black_is_none) {
+    const bool is_light_stripe = (x + y) / 2 % 4 < 2;
     switch (state) {
         case PixelState::no_light:
             return black_pixel;
+        case PixelState::dark:
+            return is_light_stripe ? quiet_hatch_light : quiet_hatch_dark;
         case PixelState::undefined:
             return black_is_none ? black_pixel : middle_gray;
         case PixelState::undetermined:
-            return (x + y) / 2 % 4 < 2 ? hatch_light : hatch_dark;
+            return is_light_stripe ? hatch_light : hatch_dark;
         case PixelState::not_a_number:
             return magenta;
         case PixelState::unphysical:

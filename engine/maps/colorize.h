@@ -100,7 +100,13 @@ struct MapScale {
 /// no meaning for color.
 MapScale map_scale(Quantity quantity, bool is_difference, const MapOptions& options, double low, double high);
 
-/// Colors of pixels without a value. `undetermined` is hatched: `x + y` says where. `black_is_none` as in MapScale.
+/// Drawn in stripes of two colors, which no value has.
+constexpr bool is_hatched(PixelState state) {
+    return state == PixelState::undetermined || state == PixelState::dark;
+}
+
+/// Colors of pixels without a value. Of those that are hatched `x + y` says which of both: (0, 0) and (4, 0) have one
+/// each. `black_is_none` as in MapScale.
 Rgb8 state_color(PixelState state, int x, int y, bool black_is_none = false);
 /// `color` at a weight between 1 (as it is) and 0 (the gray of `undefined`).
 Rgb8 faded(const Rgb& color, double weight);

@@ -13,8 +13,8 @@ namespace pol {
 MapPixel difference(Quantity quantity, const MapPixel& a, const MapPixel& b) {
     POL_EXPECTS(quantity != Quantity::color);
     const auto either = [&](PixelState state) { return a.state == state || b.state == state; };
-    for (const PixelState state :
-         {PixelState::not_measured, PixelState::not_a_number, PixelState::unphysical, PixelState::undetermined})
+    for (const PixelState state : {PixelState::not_measured, PixelState::not_a_number, PixelState::unphysical,
+                                   PixelState::undetermined, PixelState::dark})
         if (either(state)) return {0.0, 0.0, state};
     if (a.state != PixelState::defined || b.state != PixelState::defined)
         return {0.0, 0.0, a.state == b.state ? a.state : PixelState::undefined};

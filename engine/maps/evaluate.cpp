@@ -123,7 +123,8 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
     if (!std::isfinite(m.dop) || !bars) return empty(PixelState::unphysical);
     // Crossed polarizers leave a rounding error of the light that they stop: 1e-33 of it is no light.
     if (bars->s0.high <= pixel_noise * light.scale) return empty(PixelState::no_light);
-    if (!m.has_light) return empty(bars->s0.high > 0.0 ? PixelState::undetermined : PixelState::no_light);
+    const PixelState unknown = bars->s0.high < dark_share * light.peak ? PixelState::dark : PixelState::undetermined;
+    if (!m.has_light) return empty(bars->s0.high > 0.0 ? unknown : PixelState::no_light);
 
     const QuantityInfo& about = info(quantity);
     const Reading reading = read(quantity, s, m, *bars);
@@ -133,7 +134,7 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
     const double most = is_linear ? bars->dolp.high : bars->dop.high;
     const bool is_unpolarized = about.fades() && most < full_weight_polarization;
     const bool is_determined = reading.spread < 1.0;
-    if (!is_determined && !is_unpolarized) return empty(PixelState::undetermined);
+    if (!is_determined && !is_unpolarized) return empty(unknown);
     if (!is_there || !is_determined) return empty(PixelState::undefined);
     const double polarization = is_linear ? m.dolp : m.dop;
     const double weight = about.fades() ? std::min(1.0, polarization / full_weight_polarization) : 1.0;
@@ -193,10 +194,13 @@ Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t ba
         POL_TRY(const auto known, white_of(image.bands[band]));
         d65 = known;
     }
+    const double peak = image.peak.empty() ? peak_of(image, band) : image.peak[band];
     Map map{quantity, image.bands[band], false, image.width, image.height, {}};
     map.pixels.reserve(image.pixel_count());
     for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
-        map.pixels.push_back(evaluate_pixel(image, quantity, band, pixel, d65));
+        PixelLight light = pixel_light(image, band, pixel);
+        light.peak = peak;
+        map.pixels.push_back(evaluate_light(light, quantity, d65));
     }
     return map;
 }

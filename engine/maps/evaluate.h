@@ -21,13 +21,14 @@ namespace pol {
 enum class PixelState : std::uint8_t {
     defined,
     no_light,      ///< S0, what was left out included, is nothing but rounding: black
+    dark,          ///< as `undetermined`, where S0 surely is below dark_share of that of the brightest pixel
     undefined,     ///< light, but without the property: azimuth of unpolarized or circular light
     undetermined,  ///< so much light was left out that the value may lie anywhere in half of its range or more
     not_a_number,  ///< NaN or infinite: a defect of the renderer
     unphysical,    ///< numbers that no light has: S0 < 0, S0 = 0 beside a polarized part, or a residual below 0
     not_measured,  ///< a Stokes component that it needs was never measured: nobody knows
 };
-inline constexpr std::size_t pixel_state_count = 7;
+inline constexpr std::size_t pixel_state_count = 8;
 
 struct MapPixel {
     double value = 0.0;  ///< in the unit of QuantityInfo; meaningless unless the state is `defined`
@@ -52,6 +53,10 @@ struct Map {
 /// Degree of polarization (for the azimuth: of linear polarization) from which azimuth, ellipticity and handedness
 /// are shown at full weight. Below it the weight falls linearly to 0.
 inline constexpr double full_weight_polarization = 0.05;
+
+/// Where S0, what was left out included, is below this part of what the picture's brightest pixel surely has, a value
+/// that is not determined is missing because it is dark.
+inline constexpr double dark_share = 1e-3;
 
 /// Part of S0 up to which a component of a pixel is rounding noise: the pixel is the sum of up to a thousand leaves and
 /// samples that weigh anything (PHYSICS.md 1).
@@ -78,8 +83,8 @@ MapPixel evaluate_pixel(const StokesImage& image, Quantity quantity, std::size_t
 /// `d65` as in evaluate_light. Requires: quantity is not `color`.
 std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quantity, double d65);
 
-/// The whole map. Error (kind input): an amount over D65 at a wavelength where that is not known.
-/// Requires: quantity is not `color`, band < image.bands.size().
+/// The whole map; the brightest pixel is looked for if the picture does not tell. Error (kind input): an amount over
+/// D65 at a wavelength where that is not known. Requires: quantity is not `color`, band < image.bands.size().
 Result<Map> evaluate(const StokesImage& image, Quantity quantity, std::size_t band);
 
 }  // namespace pol

@@ -13,6 +13,7 @@ PixelLight pixel_light(const StokesImage& image, std::size_t band, std::size_t p
     light.residual = image.plane_value(image.residual, band, pixel);
     light.missing = light.residual * brightest + light.surplus;
     light.scale = brightest;
+    if (!image.peak.empty()) light.peak = image.peak[band];
     light.rounding = image.stored.rounding();
     light.step = image.stored.step();
     return light;

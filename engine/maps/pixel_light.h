@@ -20,6 +20,7 @@ struct PixelLight {
     bool is_bounded = true;
     /// Light that the arithmetic had in hand: what is nothing but rounding beside it is no light. 0: not known.
     double scale = 0.0;
+    double peak = 0.0;  ///< S0 that the picture's brightest pixel has for sure (peak_of); 0: not known
     double rounding = StoredNumbers{}.rounding();  ///< largest relative error of the numbers of `stokes`
     double step = StoredNumbers{}.step();          ///< and the distance of neighbours among the smallest
 };

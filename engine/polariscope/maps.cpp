@@ -42,6 +42,8 @@ PixelState outer_state(pol::PixelState state) {
             return PixelState::defined;
         case pol::PixelState::no_light:
             return PixelState::no_light;
+        case pol::PixelState::dark:
+            return PixelState::dark;
         case pol::PixelState::undefined:
             return PixelState::undefined;
         case pol::PixelState::undetermined:

@@ -29,6 +29,7 @@ std::vector<MapInfo> maps();
 enum class PixelState : std::uint8_t {
     defined,
     no_light,      ///< nothing but rounding, what was left out included
+    dark,          ///< as `undetermined`, where S0 surely is below a thousandth of that of the brightest pixel
     undefined,     ///< light, but without the property: azimuth of unpolarized or circular light
     undetermined,  ///< so much light was left out that the value may lie anywhere in half of its range or more
     not_a_number,  ///< NaN or infinite numbers in the picture

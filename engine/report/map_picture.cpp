@@ -54,6 +54,7 @@ std::vector<LegendEntry> legend_of(const ColoredMap& map) {
     const bool needs_axis = info(map.quantity).carrier == Carrier::linear_part;
     const std::string as_none = map.black_is_none ? ", drawn as 0" : "";
     add(PixelState::no_light, "no light" + as_none);
+    add(PixelState::dark, fmt::format("dark: below {} of the brightest pixel, and not determined", dark_share));
     add(PixelState::undefined, (needs_axis ? "unpolarized or circular" : "unpolarized") + as_none);
     add(PixelState::undetermined, "not determined: too much light not traced");
     add(PixelState::not_a_number, "not a number");
@@ -335,9 +336,8 @@ private:
     }
 
     /// The hatch in pixels of the canvas, so that it looks alike however much the picture is enlarged.
-    [[nodiscard]] Rgb8 hatch(int x, int y) const {
-        return state_color(PixelState::undetermined, static_cast<int>(x / layout_.unit),
-                           static_cast<int>(y / layout_.unit));
+    [[nodiscard]] Rgb8 hatch(PixelState state, int x, int y) const {
+        return state_color(state, static_cast<int>(x / layout_.unit), static_cast<int>(y / layout_.unit));
     }
 
     void paint_picture(RgbPicture& canvas) const {
@@ -347,8 +347,8 @@ private:
                       const std::size_t pixel =
                           static_cast<std::size_t>(y / l.factor) * static_cast<std::size_t>(map_.picture.width) +
                           static_cast<std::size_t>(x / l.factor);
-                      const bool is_hatched = map_.states[pixel] == PixelState::undetermined;
-                      return is_hatched ? hatch(x, y) : map_.picture.pixels[pixel];
+                      const PixelState state = map_.states[pixel];
+                      return is_hatched(state) ? hatch(state, x, y) : map_.picture.pixels[pixel];
                   });
     }
 
@@ -381,7 +381,7 @@ private:
         double top = l.legend_top + 2.0 * l.unit;
         for (const LegendEntry& entry : legend_) {
             paint_box(canvas, static_cast<int>(l.margin) + 1, static_cast<int>(top), size, size, [&](int x, int y) {
-                if (entry.state == PixelState::undetermined) return hatch(x, y);
+                if (is_hatched(entry.state)) return hatch(entry.state, x, y);
                 if (entry.state != PixelState::defined) return state_color(entry.state, x, y, map_.black_is_none);
                 // The fade: the middle of the scale on the left, no weight on the right.
                 return faded(scale_color(*map_.scale, 0.75), 1.0 - (x + 0.5) / size);

@@ -119,16 +119,16 @@ TEST(Colorize, DrawsThePaperStyleWhiteForPolarizedAndBlackForUnpolarizedOrDark) 
 }
 
 /// From left to right: no light, unpolarized, not determined, horizontal, vertical and right circular light, negative
-/// S0.
+/// S0, dark.
 StokesImage image_of_states() {
     StokesImage image;
-    image.width = 7;
+    image.width = 8;
     image.height = 1;
     image.bands = bands_at({580.0});
     image.brightest = {1.0};
-    image.stokes = {{0.0, 0.0, 0.0, 0.0},  {1.0, 0.0, 0.0, 0.0}, {1.0, 0.5, 0.0, 0.0}, {1.0, 1.0, 0.0, 0.0},
-                    {1.0, -1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0}, {-1.0, 0.0, 0.0, 0.0}};
-    image.residual = {0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.0};
+    image.stokes = {{0.0, 0.0, 0.0, 0.0},  {1.0, 0.0, 0.0, 0.0}, {1.0, 0.5, 0.0, 0.0},  {1.0, 1.0, 0.0, 0.0},
+                    {1.0, -1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0}, {-1.0, 0.0, 0.0, 0.0}, {1e-5, 0.0, 0.0, 0.0}};
+    image.residual = {0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.0, 5e-4};
     return image;
 }
 
@@ -148,7 +148,12 @@ TEST(Colorize, DrawsWhatIsNotDeterminedNeverAsAValue) {
         EXPECT_EQ(at(drawn, 2, 0), state_color(PixelState::undetermined, 2, 0));
         EXPECT_NE(at(drawn, 2, 0), (Rgb8{0, 0, 0}));
         EXPECT_EQ(at(drawn, 6, 0), state_color(PixelState::unphysical, 0, 0));
+        EXPECT_EQ(at(drawn, 7, 0), state_color(PixelState::dark, 7, 0));
+        EXPECT_NE(at(drawn, 7, 0), state_color(PixelState::undetermined, 7, 0));
     }
+    // Stripes: no value of a gray scale has them.
+    for (const PixelState state : {PixelState::undetermined, PixelState::dark})
+        EXPECT_NE(state_color(state, 0, 0), state_color(state, 4, 0));
     EXPECT_NE(state_color(PixelState::unphysical, 0, 0), state_color(PixelState::not_a_number, 0, 0));
 }
 

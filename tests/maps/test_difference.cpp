@@ -80,6 +80,7 @@ TEST(Difference, IsDefinedWhereBothAreAndFadesWithTheWeaker) {
     EXPECT_EQ(with(not_a_number), not_a_number);
     EXPECT_EQ(with(unphysical), unphysical);
     EXPECT_EQ(with(undetermined), undetermined);
+    EXPECT_EQ(with(dark), dark);
     EXPECT_EQ(with(undefined), undefined);
     EXPECT_EQ(with(no_light), undefined);
     EXPECT_EQ(difference(Quantity::dop, {0.0, 0.0, no_light}, {0.0, 0.0, no_light}).state, no_light);

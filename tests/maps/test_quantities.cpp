@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/units.h"
 #include "maps/color_picture.h"
@@ -177,6 +178,57 @@ TEST(Evaluate, TellsNoLightFromUnpolarizedLightFromLightThatWasNotTraced) {
     // A residual of 1 % cannot polarize it by more than 1 %: still unpolarized. One of a half can.
     EXPECT_EQ(pixel(with_residual(unpolarized, 0.01), Quantity::azimuth).state, PixelState::undefined);
     EXPECT_EQ(pixel(with_residual(unpolarized, 0.5), Quantity::azimuth).state, PixelState::undetermined);
+}
+
+/// Three pixels side by side at one wavelength; the first is the brightest one.
+StokesImage three_pixels(const Stokes<double>& a, const Stokes<double>& b, const Stokes<double>& c) {
+    StokesImage image = one_pixel(a);
+    image.width = 3;
+    image.stokes = {a, b, c};
+    image.residual = {0.0, 0.0, 0.0};
+    image.brightest = {1.0};
+    return image;
+}
+
+std::vector<PixelState> states_of(const StokesImage& image, Quantity quantity) {
+    std::vector<PixelState> states;
+    const Map map = evaluate(image, quantity, 0).value();
+    for (const MapPixel& pixel : map.pixels) states.push_back(pixel.state);
+    return states;
+}
+
+// CUTTING.md 1.2: the truth has at most S0 + missing there, and the brightest pixel at least S0 - surplus.
+TEST(Evaluate, CallsDarkWhatNoMissingLightCanMakeAThousandthOfTheBrightestPixel) {
+    using enum PixelState;
+    const Stokes<double> none{};
+    for (const Quantity quantity : {Quantity::dop, Quantity::ellipticity, Quantity::azimuth, Quantity::s1}) {
+        SCOPED_TRACE(info(quantity).name);
+        StokesImage image = three_pixels({0.5, 0.25, 0.0, 0.1}, none, none);
+        // Less than 5e-4 in all; as much; nothing at all. Whatever lies in between is not determined.
+        image.stokes[1] = {1e-5, 1e-6, 0.0, 0.0};
+        image.residual = {0.0, 4.8e-4, 0.0};
+        EXPECT_EQ(states_of(image, quantity), (std::vector{defined, dark, no_light}));
+        image.residual[1] = 4.9e-4;
+        EXPECT_EQ(states_of(image, quantity)[1], undetermined);
+        image.residual = {0.0, 0.0, 3.9e-4};
+        image.stokes[1] = {0.4, 0.1, 0.0, 0.1};
+        EXPECT_EQ(states_of(image, quantity), (std::vector{defined, defined, dark})) << "nothing was found of it";
+        // What a random tail has told of the brightest pixel may not be there.
+        image.tail = {0.2, 0.0, 0.0};
+        EXPECT_EQ(states_of(image, quantity)[2], dark) << "another pixel has 0.4";
+        image.stokes[1] = none;
+        EXPECT_EQ(states_of(image, quantity)[2], undetermined) << "0.3 is sure";
+    }
+}
+
+TEST(Evaluate, ShowsOfDarknessWhatIsKnown) {
+    StokesImage image = three_pixels({1.0, 0.0, 0.0, 0.0}, {1e-5, 5e-6, 0.0, 5e-6}, {1e-5, 5e-6, 0.0, 5e-6});
+    image.residual = {0.0, 1e-7, 1e-4};
+    using enum PixelState;
+    EXPECT_EQ(states_of(image, Quantity::dop), (std::vector{defined, defined, dark}));
+    EXPECT_EQ(states_of(image, Quantity::azimuth), (std::vector{undefined, defined, dark}));
+    EXPECT_EQ(states_of(image, Quantity::intensity), (std::vector{defined, defined, defined}));
+    EXPECT_EQ(states_of(image, Quantity::dop_error), (std::vector{defined, defined, defined}));
 }
 
 TEST(Evaluate, HasNoAzimuthForCircularLightAndNoEllipticityInTheNoiseOfUnpolarizedLight) {

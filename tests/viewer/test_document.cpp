@@ -154,6 +154,28 @@ TEST(Document, EditsUndoAndRedoGoThroughTheSameScenes) {
     expect_same_picture(document->picture(), test::render(document->scene()));
 }
 
+void set_index(Document& document, double n) {
+    Scene scene = document.scene();
+    std::get<IsotropicMedium>(scene.media.at(0).matter).index = ConstantIndex{{n, 0.0}};
+    ASSERT_TRUE(document.edit(std::move(scene), "index"));
+}
+
+// It decides what is dark, so hover, picture and exports must not each look for their own.
+TEST(Document, KnowsTheBrightestPixelOfItsPictureHoweverItCame) {
+    const TemporaryFolder folder;
+    test::write_text(folder / "plate.yaml", test::plate_scene(40, 20));
+    const auto document = opened(folder / "plate.yaml");
+    for (const double n : {1.5, 2.5}) {
+        ASSERT_NO_FATAL_FAILURE(set_index(*document, n));
+        test::finish(*document);
+        EXPECT_EQ(document->picture().peak, peaks_of(document->picture()));
+        EXPECT_GT(document->picture().peak[0], 0.0);
+    }
+    StokesImage image = document->picture();
+    image.peak.clear();
+    EXPECT_EQ(Document::of_picture(image, "read")->picture().peak, document->picture().peak);
+}
+
 TEST(Document, ARefusedEditLeavesSceneAndPictureAlone) {
     const TemporaryFolder folder;
     test::write_text(folder / "plate.yaml", test::plate_scene(8, 8));
@@ -201,12 +223,6 @@ std::string content_of(const std::filesystem::path& path) {
 /// The plate as people write it.
 std::string commented_plate() {
     return "# Mine.\n" + test::plate_scene(8, 8, "1.50  # like N-BK7");
-}
-
-void set_index(Document& document, double n) {
-    Scene scene = document.scene();
-    std::get<IsotropicMedium>(scene.media.at(0).matter).index = ConstantIndex{{n, 0.0}};
-    ASSERT_TRUE(document.edit(std::move(scene), "index"));
 }
 
 TEST(Document, SavingAHandWrittenSceneChangesWhatWasEditedAndNothingElse) {

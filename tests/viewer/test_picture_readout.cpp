@@ -154,6 +154,7 @@ TEST(ReadoutText, WritesAOneSidedBarAsTheIntervalThatItIs) {
     EXPECT_EQ(readout_text(Quantity::intensity, readout_of(0.5, 0.5, 0.51)), "0.5 \u00d7 D65 [0.5, 0.51] \u00d7 D65");
     EXPECT_EQ(readout_text(Quantity::dop, {{0.0, 0.0, PixelState::undetermined}, Interval<double>{0.2, 1.0}}),
               "not determined [0.2, 1]");
+    EXPECT_EQ(readout_text(Quantity::dop, {{0.0, 0.0, PixelState::dark}, Interval<double>{0.2, 1.0}}), "dark [0.2, 1]");
 }
 
 // The ends of what is written contain the truth, too.

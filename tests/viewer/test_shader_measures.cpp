@@ -102,7 +102,7 @@ protected:
     }
 
     /// Value, weight, state and certainty of the map of `quantity`, by the formula that the window's picture uses.
-    std::vector<Float4> evaluate_map(const LightFloats& lights, Quantity quantity, double d65) {
+    std::vector<Float4> evaluate_map(const LightFloats& lights, Quantity quantity, double d65, double peak) {
         constexpr std::string_view main_text =
             "uniform sampler2D stokes;\nuniform sampler2D amounts;\nout vec4 result;\nvoid main() {\n"
             "ivec2 at = ivec2(gl_FragCoord.xy);\nvec4 e = texelFetch(amounts, at, 0);\n"
@@ -119,6 +119,7 @@ protected:
         program.value().set("is_measured", 1);
         program.value().set("noise", to_single(pixel_noise));
         program.value().set("full_weight", to_single(full_weight_polarization));
+        program.value().set("dark_below", to_single(dark_share * peak));
         return run(program.value(), lights.stokes, lights.left_out);
     }
 
@@ -282,6 +283,8 @@ TEST_F(ShaderFormulas, EveryMapAgreesWithTheEngine) {
     film.height = 1;
     film.bands = bands_at({550.0});
     film.brightest = {1.0};
+    // So that half of the inputs are darker than a thousandth of it.
+    film.peak = {1000.0};
     for (const Input& input : all) {
         film.stokes.push_back(stokes_of(input));
         film.residual.push_back(to_single(static_cast<double>(input.missing) - input.surplus));
@@ -293,10 +296,11 @@ TEST_F(ShaderFormulas, EveryMapAgreesWithTheEngine) {
     for (const QuantityInfo& about : quantities()) {
         if (about.kind == ScaleKind::color) continue;
         SCOPED_TRACE(about.name);
-        const auto results = evaluate_map(lights, about.quantity, d65);
+        const auto results = evaluate_map(lights, about.quantity, d65, film.peak[0]);
         ASSERT_EQ(results.size(), all.size());
         std::size_t compared = 0;
         std::size_t of_other_state = 0;
+        std::size_t dark = 0;
         for (std::size_t i = 0; i < all.size(); ++i) {
             // As above: where a bar depends on the last digit.
             const Stokes<double> s = stokes_of(all[i]);
@@ -306,6 +310,8 @@ TEST_F(ShaderFormulas, EveryMapAgreesWithTheEngine) {
             const MapPixel expected = evaluate_light(shown.light(0, i), about.quantity, d65);
             if (static_cast<PixelState>(results[i][2]) != expected.state) {
                 ++of_other_state;
+            } else if (expected.state == PixelState::dark) {
+                ++dark;
             } else if (expected.state == PixelState::defined) {
                 ++compared;
                 const double slack = promised * about.rounding_size;
@@ -315,7 +321,9 @@ TEST_F(ShaderFormulas, EveryMapAgreesWithTheEngine) {
             }
         }
         EXPECT_GT(compared, all.size() / 8);
-        // Light at the very limit of being undetermined, or no light.
+        const bool has_bar = about.has_bar && about.quantity != Quantity::intensity;
+        EXPECT_EQ(dark > all.size() / 100, has_bar) << dark;
+        // Light at the very limit of being undetermined, dark, or no light.
         EXPECT_LT(of_other_state, all.size() / 1000);
     }
 }

@@ -123,6 +123,7 @@ void Document::start() {
     if (resting_) renderer_->pause();
     tiles_seen_.assign(static_cast<std::size_t>(renderer_->film().tile_count()), 0);
     tiles_shown_.assign(tiles_seen_.size(), {});
+    tile_peaks_.assign(tiles_seen_.size(), {});
     next_tile_ = 0;
     film_seen_ = 0;
     show(std::make_shared<StokesImage>(renderer_->snapshot()));
@@ -157,6 +158,7 @@ bool Document::update(double seconds) {
     const Version newest = film.version();
     if (newest == film_seen_) return false;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    bool is_behind = false;
     for (std::size_t looked_at = 0; looked_at < tiles_seen_.size(); ++looked_at) {
         const std::size_t index = next_tile_;
         next_tile_ = (next_tile_ + 1) % tiles_seen_.size();
@@ -164,10 +166,16 @@ bool Document::update(double seconds) {
         if (!tile) continue;
         paste(*tile);
         tiles_shown_[index] = tile->status;
-        if (Clock::now() > end) return true;
+        tile_peaks_[index] = peaks_of(tile->image);
+        is_behind = Clock::now() > end;
+        if (is_behind) break;
     }
-    film_seen_ = newest;
-    return false;
+    if (!is_behind) film_seen_ = newest;
+    picture_->peak.assign(picture_->bands.size(), 0.0);
+    for (const std::vector<double>& peaks : tile_peaks_)
+        for (std::size_t band = 0; band < peaks.size(); ++band)
+            picture_->peak[band] = std::max(picture_->peak[band], peaks[band]);
+    return is_behind;
 }
 
 void Document::catch_up() {

@@ -208,10 +208,11 @@ private:
     std::uint64_t version_ = 0;
     std::uint64_t layout_ = 0;
     StopRules stop_rules_;
-    std::vector<Version> tiles_seen_;      // by tile of the film
-    std::vector<TileStatus> tiles_shown_;  // the same: how good they are in the picture
-    std::size_t next_tile_ = 0;            // the round of update() goes on here
-    Version film_seen_ = 0;                // all tiles are at least of this version
+    std::vector<Version> tiles_seen_;              // by tile of the film
+    std::vector<TileStatus> tiles_shown_;          // the same: how good they are in the picture
+    std::vector<std::vector<double>> tile_peaks_;  // the same: StokesImage::peak
+    std::size_t next_tile_ = 0;                    // the round of update() goes on here
+    Version film_seen_ = 0;                        // all tiles are at least of this version
     bool paused_ = false;
     bool resting_ = false;
     std::optional<ShownFact> fact_;

@@ -65,6 +65,8 @@ void Document::take_reading() {
 
 void Document::show_read(StokesImage picture) {
     read_origin_ = picture.origin;
+    // One that does not tell what was left out has nothing that is not determined.
+    if (!picture.residual.empty()) picture.peak = peaks_of(picture);
     show(std::make_shared<StokesImage>(std::move(picture)));
     if (chosen_convention_) take_numbers_for(chosen_convention_);
 }

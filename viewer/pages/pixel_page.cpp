@@ -192,7 +192,7 @@ PageRow measure_row(std::string name, const QuantityReadout& readout, std::strin
     if (readout.pixel.state == PixelState::defined)
         return row(std::move(name), readout.pixel.value, readout.bar, readout.rounding, unit, help);
     PageRow out{std::move(name), std::string(state_text(readout.pixel.state)), {}, {}, help};
-    if (readout.pixel.state != PixelState::undetermined || !readout.bar) return out;
+    if (!may_be_any(readout.pixel.state) || !readout.bar) return out;
     out.bar = interval_text(*readout.bar, readout.rounding, unit);
     out.exact_bar = exact_text(*readout.bar, unit);
     return out;

@@ -75,6 +75,8 @@ std::string_view state_text(PixelState state) {
             return "";
         case PixelState::no_light:
             return "no light";
+        case PixelState::dark:
+            return "dark";
         case PixelState::undefined:
             return "undefined";
         case PixelState::undetermined:
@@ -95,6 +97,10 @@ std::string_view state_definition(PixelState state) {
             return "";
         case PixelState::no_light:
             return "no light: S0, what was left out included, is nothing but rounding";
+        case PixelState::dark:
+            return "dark: S0, what was left out included, is below a thousandth of that of the brightest pixel, and "
+                   "too "
+                   "little of it was traced to tell more";
         case PixelState::undefined:
             return "undefined: light without the property, such as the azimuth of unpolarized or circular light";
         case PixelState::undetermined:
@@ -161,7 +167,7 @@ std::string readout_text(Quantity quantity, const QuantityReadout& readout) {
     NumberText text{std::string(state_text(readout.pixel.state)), {}};
     if (readout.pixel.state == PixelState::defined)
         text = number_text(readout.pixel.value, readout.bar, readout.rounding, 6, unit);
-    else if (readout.pixel.state == PixelState::undetermined && readout.bar)
+    else if (may_be_any(readout.pixel.state) && readout.bar)
         text.bar = interval_text(*readout.bar, readout.rounding, unit);
     return text.bar.empty() ? text.value : text.value + " " + text.bar;
 }

@@ -14,6 +14,10 @@ namespace pol {
 
 /// Why there is no number: "no light", "undefined", ... Empty for `defined`.
 std::string_view state_text(PixelState state);
+/// There is a value, but it is not known.
+inline bool may_be_any(PixelState state) {
+    return state == PixelState::undetermined || state == PixelState::dark;
+}
 /// The same in a sentence.
 std::string_view state_definition(PixelState state);
 

@@ -46,10 +46,10 @@ std::string title_of(const Session& session) {
 void draw_state_box(ImDrawList& list, ImVec2 at, float size, PixelState state, bool black_is_none) {
     const ImVec2 end(at.x + size, at.y + size);
     list.AddRectFilled(at, end, ink(state_color(state, 0, 0, black_is_none)));
-    if (state == PixelState::undetermined) {
+    if (is_hatched(state)) {
         list.PushClipRect(at, end, true);
         for (float x = -size; x < size; x += 4.0F)
-            list.AddLine({at.x + x, at.y + size}, {at.x + x + size, at.y}, ink(state_color(state, 2, 2)), 2.0F);
+            list.AddLine({at.x + x, at.y + size}, {at.x + x + size, at.y}, ink(state_color(state, 4, 0)), 2.0F);
         list.PopClipRect();
     }
     list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_TextDisabled));

@@ -66,6 +66,7 @@ public:
                 return "!";
             case PixelState::not_measured:
             case PixelState::no_light:
+            case PixelState::dark:
             case PixelState::undefined:
                 break;
         }

@@ -98,8 +98,8 @@ void draw_view_controls(const Session& session, Wishes& wishes) {
     if (ImGui::Checkbox("numbers", &view.numbers_in_pixels))
         wishes.set(&ViewSettings::numbers_in_pixels, view.numbers_in_pixels);
     tooltip(
-        "The value inside each pixel when it is zoomed large enough. ? not determined, - undefined or no light, ! "
-        "unphysical.");
+        "The value inside each pixel when it is zoomed large enough. ? not determined, - undefined, dark or no "
+        "light, ! unphysical.");
 }
 
 void draw_glyph_controls(const ViewSettings& view, Wishes& wishes) {

@@ -56,6 +56,7 @@ struct DrawnView {
     float low = 0.0F;
     float high = 1.0F;
     float brightest = 0.0F;
+    float dark_below = 0.0F;
     float d65 = 1.0F;
     bool is_measured = true;
     bool has_polarimeter = false;
@@ -87,16 +88,12 @@ Float3 encoded(const Rgb8& color) {
     return to_single3(Rgb{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0});
 }
 
-/// Colors of the states, by state; the hatch's light stripes for `undetermined`.
-std::array<Float3, pixel_state_count> state_colors(bool black_is_none) {
+/// Colors of the states at a column of the first row, by state.
+std::array<Float3, pixel_state_count> state_colors(int column, bool black_is_none) {
     std::array<Float3, pixel_state_count> colors{};
     for (std::size_t state = 1; state < pixel_state_count; ++state)
-        colors[state] = encoded(state_color(static_cast<PixelState>(state), 0, 0, black_is_none));
+        colors[state] = encoded(state_color(static_cast<PixelState>(state), column, 0, black_is_none));
     return colors;
-}
-
-Float3 dark_stripes() {
-    return encoded(state_color(PixelState::undetermined, 4, 0));
 }
 
 /// What fading ends in: the color of `undefined`, linear.
@@ -167,6 +164,7 @@ DrawnView what_to_draw(const Session& session, const ShownSide& side, int width,
     drawn.low = to_single(look.range.low);
     drawn.high = to_single(look.range.high);
     drawn.brightest = picture.brightest.empty() ? 0.0F : to_single(picture.brightest[side.band]);
+    drawn.dark_below = picture.peak.empty() ? 0.0F : to_single(dark_share * picture.peak[side.band]);
     drawn.d65 = d65 ? to_single(d65.value()) : 0.0F;
     drawn.is_measured = shown_on(side, session).measures(view.quantity, side.band);
     drawn.has_polarimeter = !session.polarimeter().empty();
@@ -186,6 +184,7 @@ void set_uniforms(const Program& program, const DrawnView& drawn) {
     program.set("low", drawn.low);
     program.set("high", drawn.high);
     program.set("brightest", drawn.brightest);
+    program.set("dark_below", drawn.dark_below);
     program.set("d65", drawn.d65);
     program.set("is_measured", drawn.is_measured ? 1 : 0);
     program.set("noise", to_single(pixel_noise));
@@ -198,8 +197,8 @@ void set_uniforms(const Program& program, const DrawnView& drawn) {
     program.set("offset", drawn.offset);
     program.set("gamma", drawn.gamma);
     program.set("ground", fade_ground());
-    program.set("state_colors", state_colors(drawn.black_is_none));
-    program.set("hatch_dark", dark_stripes());
+    program.set("state_colors", state_colors(0, drawn.black_is_none));
+    program.set("other_stripes", state_colors(4, drawn.black_is_none));
 }
 
 /// Adds a part of the picture `whole` in strips that take some milliseconds each, unless it waits already.
@@ -367,8 +366,7 @@ std::uint32_t PictureRenderer::render(const Session& session, int width, int hei
     if (gpu_->drawn == drawn) return gpu_->target.texture();
     gpu_->drawn = drawn;
     if (!gpu_->programs.contains(drawn.variant)) {
-        // Variants differ by constants only, so they all compile if the first one
-        // did.
+        // Variants differ by constants only, so they all compile if the first one did.
         auto program = program_for(drawn.variant);
         POL_EXPECTS(program);
         gpu_->programs.emplace(drawn.variant, std::move(program).value());

@@ -26,6 +26,7 @@ std::string shader_constants(Quantity quantity) {
         for (const QuantityInfo& each : rows) text += number("quantity_" + std::string(each.name), each.quantity);
     text += number("state_defined", PixelState::defined);
     text += number("state_no_light", PixelState::no_light);
+    text += number("state_dark", PixelState::dark);
     text += number("state_undefined", PixelState::undefined);
     text += number("state_undetermined", PixelState::undetermined);
     text += number("state_not_a_number", PixelState::not_a_number);

@@ -69,6 +69,7 @@ StokesImage seen_behind(const StokesImage& picture, const Polarimeter& polarimet
     for (std::size_t w = first; w < last; ++w) {
         seen.bands.push_back(picture.bands[w]);
         if (!picture.brightest.empty()) seen.brightest.push_back(picture.brightest[w]);
+        if (!picture.peak.empty()) seen.peak.push_back(picture.peak[w]);
     }
     if (polarimeter.empty() && convention == Convention{}) return seen;
     const ShownPicture shown(picture, polarimeter, convention);

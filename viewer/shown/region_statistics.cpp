@@ -48,6 +48,7 @@ RegionStatistics region_statistics(const ShownPicture& picture, std::size_t band
         mean.surplus += light.surplus;
         mean.residual += light.residual;
         mean.scale = light.scale;
+        mean.peak = light.peak;
         mean.rounding = light.rounding;
         mean.step = light.step;
     });
@@ -82,6 +83,7 @@ StokesImage cut_out(const StokesImage& picture, std::size_t band, const TileRect
     part.bands = {picture.bands[band]};
     part.stored = picture.stored;
     if (!picture.brightest.empty()) part.brightest = {picture.brightest[band]};
+    if (!picture.peak.empty()) part.peak = {picture.peak[band]};
     for (int y = region.y0; y < region.y1; ++y) {
         for (int x = region.x0; x < region.x1; ++x) {
             const std::size_t pixel = picture.pixel(x, y);

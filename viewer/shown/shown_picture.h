@@ -37,6 +37,7 @@ public:
                 mean.surplus += light.surplus;
                 mean.residual += light.residual;
                 mean.scale = light.scale;
+                mean.peak = light.peak;
                 mean.rounding = light.rounding;
                 mean.step = light.step;
                 mean.is_bounded = light.is_bounded;
