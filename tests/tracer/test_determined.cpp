@@ -104,9 +104,10 @@ TEST(Determined, FollowingOnOnlyAddsLight) {
             EXPECT_LE(sample.result.residual, 1e-3);
             const bool is_dark = sample.light.s0 + sample.result.residual * brightest <= dark_part * brightest;
             const auto budget = static_cast<std::uint32_t>(task.node_budget);
-            EXPECT_LE(sample.result.nodes, budget);
+            // The last branch may end in as many leaves as a surface has children.
+            EXPECT_LE(sample.result.nodes, budget + 4);
             EXPECT_TRUE(is_determined(sample.light, sample.result.residual * brightest) ||
-                        (is_dark && sample.result.nodes >= dark_budget) || sample.result.nodes == budget ||
+                        (is_dark && sample.result.nodes >= dark_budget) || sample.result.nodes >= budget ||
                         sample.result.residual <= least_open_weight);
         });
     }
