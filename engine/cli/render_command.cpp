@@ -82,11 +82,11 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         if (progress.reason == StopReason::memory) throw std::bad_alloc();
         if (progress.reason != StopReason::truncation) return outcome;
 
-        const auto finer = finer_residual(outcome.reports.back(), scene.render.residual_in_force(), *progress.goal);
+        const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *progress.goal);
         if (!finer || (request.seconds && outcome.seconds >= *request.seconds)) return outcome;
         if (!request.quiet)
             remark(fmt::format("too much light is untraced: residual {:.3g} instead of {:.3g}\n", *finer,
-                               scene.render.residual_in_force()));
+                               scene.render.residual));
         scene.render.residual = *finer;
         POL_TRY(auto finer_plan, compile(scene));
         plan = std::move(finer_plan);

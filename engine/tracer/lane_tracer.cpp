@@ -7,7 +7,6 @@
 
 #include "core/contract.h"
 #include "plan/lanes.h"
-#include "tracer/determined.h"
 #include "tracer/leaf_light.h"
 #include "tracer/sample_task.h"
 
@@ -101,7 +100,7 @@ void LaneTracer::begin_samples() {
     bool any = false;
     for (int lane = 0; lane < rays; ++lane) {
         const std::size_t sample = first + static_cast<std::size_t>(lane);
-        if (plan_.settings.residual_in_force() >= 1.0 || plan_.settings.node_budget_in_force() < 1) {
+        if (plan_.settings.residual >= 1.0 || plan_.settings.node_budget_in_force() < 1) {
             results_[sample] = scalar_.trace(task(sample), sums(sample));
             continue;
         }
@@ -169,16 +168,10 @@ void LaneTracer::follow_inside() {
 
 bool LaneTracer::goes_on(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
     const double weight = branches.weight[lane];
-    const RenderSettings& settings = plan_.settings;
-    const std::uint32_t nodes = results_[sample].nodes;
-    const bool is_above = weight > settings.residual_in_force();
-    if (is_above ||
-        (settings.until_determined() && !maps_are_determined(plan_, *group_, sums(sample), weight, nodes))) {
-        if (nodes < static_cast<std::uint32_t>(settings.node_budget_in_force())) return true;
-        if (is_above) {
-            hand_over(branches, lane, facet, sample);
-            return false;
-        }
+    if (weight > plan_.settings.residual) {
+        if (results_[sample].nodes < static_cast<std::uint32_t>(plan_.settings.node_budget_in_force())) return true;
+        hand_over(branches, lane, facet, sample);
+        return false;
     }
     results_[sample].residual += weight;
     finish(sample);

@@ -6,9 +6,9 @@
 //     resolved + absorbed + open = 1,
 // and the light still missing from the pixel is positive semidefinite with trace at most open * L_max. A branch that is
 // surely on its way to a lamp, the background or a black surface ends as soon as it is born; of the others the heaviest
-// is followed first (NodeQueue) until the open weight falls below the target, or further, until the maps are determined
-// (determined.h). A convex glass stone never has more than one. Where the node budget ends above the target, one random
-// path, chosen with probability proportional to weight, estimates the rest without bias.
+// is followed first (NodeQueue) until the open weight falls below the target. A convex glass stone never has more than
+// one. Where the node budget ends first, one random path, chosen with probability proportional to weight, estimates the
+// rest without bias.
 //
 // The picture and its explanation run this same function with different observers (tracer/observers.h).
 #pragma once
@@ -24,7 +24,6 @@
 #include "optics/wave.h"
 #include "plan/plan.h"
 #include "tracer/crossing.h"
-#include "tracer/determined.h"
 #include "tracer/leaf_light.h"
 #include "tracer/node.h"
 #include "tracer/node_queue.h"
@@ -42,7 +41,7 @@ public:
     /// The plan must outlive the tracer.
     Tracer(PlanForKernel<anisotropic, absorbing> plan, Observer& observer) : plan_(plan.plan()), observer_(observer) {}
 
-    /// Adds the light of the sample to `sums`, one Stokes vector per wavelength of the group. Requires: they are 0.
+    /// Adds the light of the sample to `sums`, one Stokes vector per wavelength of the group.
     TraceResult trace(const TraceTask& task, std::span<Stokes<double>> sums) {
         prepare(task, sums);
         open_root(task, current_);
@@ -75,12 +74,13 @@ private:
     /// From current_ on, if it is `going`.
     TraceResult follow_all(const TraceTask& task, bool going) {
         Node& node = current_;
+        const double target = task.residual;
         const auto budget = static_cast<std::uint32_t>(task.node_budget);
         LeafReason cut = LeafReason::residual;
         std::uint32_t asked = 0;
-        while (going && goes_on(task, plan_, sums_, node.weight + queue_.open_weight(), result_.nodes)) {
+        while (going && node.weight + queue_.open_weight() > target) {
             if (result_.nodes >= budget) {
-                if (node.weight + queue_.open_weight() > task.residual) cut = LeafReason::node_budget;
+                cut = LeafReason::node_budget;
                 break;
             }
             if (result_.nodes - asked >= nodes_between_questions) {

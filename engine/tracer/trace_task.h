@@ -18,7 +18,6 @@ struct TraceTask {
     RandomKey key{};
     /// How far the tree is followed, as RenderSettings has it.
     double residual = 0.0;
-    bool until_determined = false;
     int node_budget = 0;
 };
 

@@ -116,13 +116,6 @@ std::vector<LaneScene> scenes() {
     all.push_back({"textured lamp", scene_of(far, gem + card, 1.8)});
     all.push_back({"backs of lamps and black things", scene_of(far, gem + backs + lamp, 1.5)});
     all.back().scene.render.wavelengths_nm = {450.0, 550.0};
-    for (const int budget : {1000, 7}) {
-        all.push_back({"until the maps are determined", scene_of(far, gem + card, 1.5)});
-        all.back().scene.render.mode = SampleMode::point;
-        all.back().scene.render.residual.reset();
-        all.back().scene.render.node_budget = budget;
-        all.back().scene.render.wavelengths_nm = {450.0, 550.0, 650.0};
-    }
     return all;
 }
 
