@@ -146,9 +146,11 @@ TEST(Features, NeededOnesNameWhoNeedsThem) {
 
 // Only code that would run can be kept, and only what is left out has some to keep.
 TEST(Features, WhatIsNeededHasNothingToKeep) {
-    for (const char* matter : {"1.5", "{crystal: calcite}", "{index: 1.5, absorption: 2}"})
-        for (const Feature& f : box_of(matter, "[450, 650]")->features.list)
+    for (const char* matter : {"1.5", "{crystal: calcite}", "{index: 1.5, absorption: 2}"}) {
+        const auto plan = box_of(matter, "[450, 650]");
+        for (const Feature& f : plan->features.list)
             EXPECT_TRUE(!f.needed || f.spare == nullptr) << matter << ": " << f.name;
+    }
     const auto glass = box_of("1.5", "[450, 650]");
     EXPECT_EQ(feature(*glass, "dispersion").spare, &SpareParts::tree_per_wavelength);
     EXPECT_EQ(feature(*box_of("1.5", "580"), "dispersion").spare, nullptr);
