@@ -101,7 +101,7 @@ void add_setting(Json& out, const RenderSetting& setting, const RenderSettings& 
                    [&](const LimitSetting& kind) {
                        if (settings.*kind.value) value = *(settings.*kind.value);
                    },
-                   [&](const UsualSetting& kind) { value = (settings.*kind.in_force)(); },
+                   [&](const UsualSetting& kind) { value = (settings.*kind.value).value(); },
                    [&](const SeedSetting& kind) { value = settings.*kind.value; },
                    [&](const FlagSetting& kind) { value = settings.*kind.value; },
                },

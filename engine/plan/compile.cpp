@@ -21,6 +21,7 @@
 #include "plan/reach.h"
 #include "plan/standpoint.h"
 #include "scene/check.h"
+#include "scene/node_budget.h"
 #include "scene/place.h"
 
 namespace pol {
@@ -300,12 +301,10 @@ Result<std::shared_ptr<const Plan>> compile(const Scene& scene, const SpareParts
     if (auto problem = first_problem(scene)) return *problem;
     auto plan = std::make_shared<Plan>();
     plan->settings = scene.render;
+    plan->settings.node_budget = node_budget_in_force(scene);
     plan->title = scene.title;
     plan->kept = kept;
-    if (kept.depth_limit && !plan->settings.depth) {
-        plan->settings.node_budget = plan->settings.node_budget_in_force();  // a limit would change the usual one
-        plan->settings.depth = std::numeric_limits<int>::max();
-    }
+    if (kept.depth_limit && !plan->settings.depth) plan->settings.depth = std::numeric_limits<int>::max();
     plan->wavelengths_nm = scene.render.wavelengths_nm;
 
     MediaTable media(scene);

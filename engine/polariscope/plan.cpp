@@ -102,7 +102,7 @@ Result<RayLight> trace_ray(const Plan& plan, const Ray& ray, std::uint32_t sampl
             task.region = region;
             task.key = {p.settings.seed, 0, sample, p.groups[g].key};
             task.residual = p.settings.residual;
-            task.node_budget = p.settings.node_budget_in_force();
+            task.node_budget = p.settings.node_budget.value();
             std::vector<pol::Stokes<double>> light(members.size());
             const pol::TraceResult result =
                 pol::trace_sample(p, task, light, [&stop](std::size_t) { return !stop.stop_requested(); });

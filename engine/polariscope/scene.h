@@ -31,8 +31,8 @@ struct RenderSettings {
     int samples_per_pixel = 1;
     double residual = 1e-3;    ///< largest share of a pixel's light path that may stay untraced, 0 to 1
     std::optional<int> depth;  ///< interfaces after which a branch ends; none: trees are cut by energy alone
-    /// Branches of a tree that are followed before one random path stands for the rest; none: 1000 in mode point, 12 in
-    /// mode area.
+    /// Branches of a tree that are followed before one random path stands for the rest; none: 1000, or 12 in mode area
+    /// where trees branch (crystals, several solids).
     std::optional<int> node_budget;
     std::uint64_t seed = 0;
     bool unpolarized = false;  ///< forget polarization at every surface, as renderers without it do

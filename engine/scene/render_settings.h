@@ -23,7 +23,8 @@ struct RenderSettings {
     int samples_per_pixel = 1;
     double residual = 1e-3;          ///< largest share of a pixel that may stay untraced
     std::optional<int> depth;        ///< the paper's depth limit; none: cut by energy alone
-    std::optional<int> node_budget;  ///< branches a sample may follow before its random tail; none: usual_node_budget
+    std::optional<int> node_budget;  ///< branches a sample may follow before its random tail; none: the usual ones
+                                     ///< (scene/node_budget.h)
     std::uint64_t seed = 0;
     bool unpolarized = false;  ///< light is unpolarized again after every surface, as renderers without polarization do
     /// The samples of a pixel that make its picture have the numbers first_sample() to last_sample(). Sample 0 is the
@@ -31,13 +32,6 @@ struct RenderSettings {
     /// sample in a place that is always the same would pull the mean towards what is there.
     [[nodiscard]] int first_sample() const { return mode == SampleMode::area ? 1 : 0; }
     [[nodiscard]] int last_sample() const { return first_sample() + samples_per_pixel - 1; }
-
-    /// Branches that pay: a point picture averages nothing over a pixel, so that all that its tails scatter is seen. In
-    /// an area picture the samples of a pixel average the tails too, and many short trees tell more than a few long
-    /// ones: squared error times time is lowest at 5 to 20 branches in crystals, 10 to 30 times below that of 1000.
-    /// A depth limit cuts without a budget beside it.
-    [[nodiscard]] int usual_node_budget() const { return depth ? whole_tree : mode == SampleMode::area ? 12 : 1000; }
-    [[nodiscard]] int node_budget_in_force() const { return node_budget.value_or(usual_node_budget()); }
 
     /// Samples that are random are kept apart in two halves, whose difference tells their error.
     [[nodiscard]] bool has_halves() const { return mode == SampleMode::area && samples_per_pixel > 1; }

@@ -9,6 +9,7 @@
 #include "core/number_text.h"
 #include "core/overloaded.h"
 #include "scene/check.h"
+#include "scene/node_budget.h"
 #include "spectrum/wavelength_grid.h"
 
 namespace pol {
@@ -57,8 +58,8 @@ const std::vector<RenderSetting>& render_settings() {
          LimitSetting{&RenderSettings::depth, &RenderSettings::cut_by_depth_alone, &RenderSettings::cut_by_energy, 0,
                       1000000, 9}},
         {"node_budget", "node_budget", "branch budget", "Branches to follow before one random path stands for the rest",
-         "leave it out for the default: 1000 in mode point, 12 in mode area",
-         UsualSetting{&RenderSettings::node_budget, &RenderSettings::node_budget_in_force, 1, 1 << 30, 1.0}},
+         "leave it out for the default: 1000, or 12 in mode area where trees branch",
+         UsualSetting{&RenderSettings::node_budget, &node_budget_in_force, 1, 1 << 30, 1.0}},
         {"seed", "seed", "seed", "Seed of the random numbers", "", SeedSetting{&RenderSettings::seed}},
         {"unpolarized", "unpolarized", "forget polarization",
          "Forget polarization at every surface: what a renderer without it would show", "",
@@ -112,8 +113,9 @@ std::optional<Error> setting_problem(const RenderSetting& setting, const RenderS
                               const std::optional<int>& value = settings.*kind.value;
                               return value ? limits_problem(*value, kind.least, kind.most, setting.hint) : std::nullopt;
                           },
-                          [&](const UsualSetting& kind) {
-                              return limits_problem((settings.*kind.in_force)(), kind.least, kind.most, setting.hint);
+                          [&](const UsualSetting& kind) -> Problem {
+                              const std::optional<int>& value = settings.*kind.value;
+                              return value ? limits_problem(*value, kind.least, kind.most, setting.hint) : std::nullopt;
                           },
                           [&](const SeedSetting& /*kind*/) -> Problem { return std::nullopt; },
                           [&](const FlagSetting& /*kind*/) -> Problem { return std::nullopt; },

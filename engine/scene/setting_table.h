@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "scene/render_settings.h"
+#include "scene/scene.h"
 
 namespace pol {
 
@@ -58,10 +58,10 @@ struct LimitSetting {
     int usual;
 };
 
-/// A whole number; without it, one that follows from other settings is in force.
+/// A whole number; without it, one that follows from the scene is in force. Plans have it set.
 struct UsualSetting {
     std::optional<int> RenderSettings::*value;
-    int (RenderSettings::*in_force)() const;
+    int (*in_force)(const Scene&);
     int least;
     int most;
     double per_point;

@@ -100,7 +100,7 @@ void LaneTracer::begin_samples() {
     bool any = false;
     for (int lane = 0; lane < rays; ++lane) {
         const std::size_t sample = first + static_cast<std::size_t>(lane);
-        if (plan_.settings.residual >= 1.0 || plan_.settings.node_budget_in_force() < 1) {
+        if (plan_.settings.residual >= 1.0 || plan_.settings.node_budget.value() < 1) {
             results_[sample] = scalar_.trace(task(sample), sums(sample));
             continue;
         }
@@ -169,7 +169,7 @@ void LaneTracer::follow_inside() {
 bool LaneTracer::goes_on(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
     const double weight = branches.weight[lane];
     if (weight > plan_.settings.residual) {
-        if (results_[sample].nodes < static_cast<std::uint32_t>(plan_.settings.node_budget_in_force())) return true;
+        if (results_[sample].nodes < static_cast<std::uint32_t>(plan_.settings.node_budget.value())) return true;
         hand_over(branches, lane, facet, sample);
         return false;
     }

@@ -48,7 +48,7 @@ inline TraceTask sample_task(const Plan& plan, int x, int y, std::uint32_t sampl
     task.group = group;
     task.region = plan.camera_region >= 0 ? plan.camera_region : plan.region_at(task.ray.origin);
     task.residual = plan.settings.residual;
-    task.node_budget = plan.settings.node_budget_in_force();
+    task.node_budget = plan.settings.node_budget.value();
     return task;
 }
 

@@ -17,6 +17,7 @@
 
 #include "core/units.h"
 #include "io/scenes/scene_hash.h"
+#include "scene/node_budget.h"
 
 namespace pol {
 namespace {
@@ -354,7 +355,7 @@ TEST(SceneHash, ChangesWithEveryValue) {
         [](Scene& s) { s.render.samples_per_pixel += 1; },
         [](Scene& s) { s.render.residual *= 2; },
         [](Scene& s) { s.render.depth.reset(); },
-        [](Scene& s) { s.render.node_budget = s.render.node_budget_in_force() + 1; },
+        [](Scene& s) { s.render.node_budget = node_budget_in_force(s) + 1; },
         [](Scene& s) { s.render.seed += 1; },
         [](Scene& s) { s.render.unpolarized = true; },
         [](Scene& s) { std::get<TabulatedSpectrum>(s.background.radiance).value[1] = 2.5; },

@@ -141,7 +141,7 @@ TEST(HalfSpacesAndEmbree, NoRayLeaksThroughAnEdgeOrCornerOfTheBrilliant) {
                 TraceTask task;
                 task.ray = CameraModel(camera, 1, 1).ray(0.5, 0.5);
                 task.residual = plan->settings.residual;
-                task.node_budget = plan->settings.node_budget_in_force();
+                task.node_budget = plan->settings.node_budget.value();
                 Stokes<double> light;
                 const TraceResult r = trace_sample(*plan, task, {&light, 1});
                 ASSERT_EQ(r.failures, 0U) << "one mesh: " << one_mesh << ", direction " << i;

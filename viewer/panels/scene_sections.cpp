@@ -261,7 +261,7 @@ void limit_field(EditForm& form, const std::string& label, const std::string& he
 /// The number in force; one that was set can be given back.
 void usual_field(EditForm& form, const std::string& label, const std::string& help, const UsualSetting& kind) {
     RenderSettings& render = form.scene.render;
-    int number = (render.*kind.in_force)();
+    int number = kind.in_force(form.scene);
     const bool changed = ImGui::DragInt(label.c_str(), &number, static_cast<float>(kind.per_point));
     if (changed) render.*kind.value = number;
     form.after(label, changed, help.c_str());

@@ -56,7 +56,7 @@ std::shared_ptr<const Explanation> ExplanationJob::result() const {
 ExplanationStatus ExplanationJob::status() const {
     const std::lock_guard lock(mutex_);
     ExplanationStatus status{state_, branches_, 0, problem_};
-    if (request_) status.budget = static_cast<std::size_t>(request_->plan->settings.node_budget_in_force());
+    if (request_) status.budget = static_cast<std::size_t>(request_->plan->settings.node_budget.value());
     return status;
 }
 

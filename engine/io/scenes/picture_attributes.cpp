@@ -7,6 +7,7 @@
 
 #include "core/overloaded.h"
 #include "io/scenes/scene_hash.h"
+#include "scene/node_budget.h"
 #include "scene/setting_table.h"
 
 namespace pol {
@@ -24,7 +25,7 @@ std::string attribute_text(const RenderSetting& setting, const RenderSettings& s
             [&](const NumberSetting& kind) { return with_key(s.*kind.value); },
             [&](const WholeSetting& kind) { return with_key(s.*kind.value); },
             [&](const LimitSetting& kind) { return s.*kind.value ? with_key(*(s.*kind.value)) : with_key("none"); },
-            [&](const UsualSetting& kind) { return with_key((s.*kind.in_force)()); },
+            [&](const UsualSetting& kind) { return with_key((s.*kind.value).value()); },
             [&](const SeedSetting& kind) { return with_key(s.*kind.value); },
             [&](const FlagSetting& kind) { return std::string(s.*kind.value ? setting.key : ""); },
         },
@@ -37,6 +38,7 @@ std::map<std::string, std::string> picture_attributes(const Scene& scene, int sa
                                                       const std::filesystem::path& file) {
     RenderSettings made = scene.render;
     made.samples_per_pixel = samples_per_pixel;
+    made.node_budget = node_budget_in_force(scene);
     std::string settings;
     for (const RenderSetting& setting : render_settings()) {
         const std::string text = attribute_text(setting, made);

@@ -21,6 +21,7 @@
 #include "plan/compile.h"
 #include "polarization/coherence_matrix.h"
 #include "render/renderer.h"
+#include "scene/node_budget.h"
 #include "verify/convergence/machine.h"
 #include "verify/convergence/picture_parts.h"
 #include "verify/invariants/invariants.h"
@@ -86,7 +87,7 @@ private:
 std::string key_of(const RunSetting& setting) {
     const RenderSettings& s = setting.settings;
     return setting.series + "|" + number_text(s.residual) + "|" + (s.depth ? std::to_string(*s.depth) : "-") + "|" +
-           std::to_string(s.node_budget_in_force()) + "|" + std::to_string(s.samples_per_pixel) + "|" +
+           std::to_string(s.node_budget.value()) + "|" + std::to_string(s.samples_per_pixel) + "|" +
            std::to_string(s.wavelengths_nm.size());
 }
 
@@ -118,7 +119,7 @@ const RunRow* Sweep::row_of(const RunSetting& setting, std::uint64_t seed) const
         const RenderSettings& s = setting.settings;
         const bool same_depth = s.depth ? row.depth_limit == *s.depth : std::isnan(row.depth_limit);
         return row.series == setting.series && row.residual_target == s.residual && same_depth &&
-               row.node_budget == s.node_budget_in_force() && row.samples_per_pixel == s.samples_per_pixel &&
+               row.node_budget == s.node_budget.value() && row.samples_per_pixel == s.samples_per_pixel &&
                row.wavelengths == static_cast<double>(s.wavelengths_nm.size()) && row.seed == static_cast<double>(seed);
     });
     return found == result_.rows.end() ? nullptr : &*found;
@@ -162,7 +163,7 @@ RenderSettings Sweep::deepest() const {
         if (setting.settings.depth) continue;
         smallest = std::min(smallest, setting.settings.residual);
         most_samples = std::max(most_samples, setting.settings.samples_per_pixel);
-        largest_budget = std::max(largest_budget, setting.settings.node_budget_in_force());
+        largest_budget = std::max(largest_budget, setting.settings.node_budget.value());
     }
     RenderSettings deep = request_.scene.render;
     const bool area = deep.mode == SampleMode::area;
@@ -247,7 +248,7 @@ Result<Done> Sweep::find_reference() {
     Scene probe = request_.scene;
     const bool embree = static_cast<bool>(compile(probe, {.meshes = true}));
     result_.reference_id = std::string("own: residual ") + number_text(deep.residual) + ", " +
-                           std::to_string(deep.node_budget_in_force()) + " branches, 2 x " +
+                           std::to_string(deep.node_budget.value()) + " branches, 2 x " +
                            std::to_string(deep.samples_per_pixel) +
                            (area ? " samples" : " sample at the pixel centre") +
                            (embree ? ", solids met by Embree" : ", solids met as half-spaces");
@@ -323,7 +324,7 @@ Result<const StokesImage*> Sweep::deeper_than(const RenderSettings& settings) {
     RenderSettings deep = settings;
     deep.depth.reset();
     deep.residual = 1e-6;
-    deep.node_budget = 8 * request_.scene.render.node_budget_in_force();
+    deep.node_budget = 8 * node_budget_in_force(request_.scene);
     deep.wavelengths_nm = request_.scene.render.wavelengths_nm;
     POL_TRY(auto shot, shoot(deep));
     if (!shot) return static_cast<const StokesImage*>(nullptr);
@@ -397,7 +398,7 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     row.height = settings.height;
     row.residual_target = settings.residual;
     if (settings.depth) row.depth_limit = *settings.depth;
-    row.node_budget = settings.node_budget_in_force();
+    row.node_budget = settings.node_budget.value();
     row.samples_per_pixel = settings.samples_per_pixel;
     row.wavelengths = static_cast<double>(settings.wavelengths_nm.size());
     row.seed = static_cast<double>(seed);

@@ -4,16 +4,19 @@
 #include <utility>
 
 #include "core/number_text.h"
+#include "scene/node_budget.h"
 #include "verify/convergence/convergence.h"
 
 namespace pol::verify {
 
 std::vector<RunSetting> convergence_settings(const Scene& scene, bool crystals) {
-    const RenderSettings& base = scene.render;
+    Scene cut_by_energy = scene;
+    cut_by_energy.render.depth.reset();
+    RenderSettings base = cut_by_energy.render;
+    base.node_budget = node_budget_in_force(cut_by_energy);
     std::vector<RunSetting> list;
     const auto add = [&](const std::string& series, const auto& change) {
         RenderSettings settings = base;
-        settings.depth.reset();
         change(settings);
         list.push_back({series, settings});
     };
@@ -43,6 +46,7 @@ std::vector<RunSetting> convergence_settings(const Scene& scene, bool crystals) 
     for (const int depth : {1, 3, 5, 7, 9})
         add("depth", [&](RenderSettings& s) {
             s.cut_by_depth_alone(depth);
+            s.node_budget = RenderSettings::whole_tree;
             s.samples_per_pixel = samples;
         });
     if (base.wavelengths_nm.size() > 4) {

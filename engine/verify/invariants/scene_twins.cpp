@@ -9,6 +9,7 @@
 
 #include "core/overloaded.h"
 #include "scene/medium_fields.h"
+#include "scene/node_budget.h"
 
 namespace pol::verify {
 
@@ -52,7 +53,7 @@ void mirror(Sheet& sheet) {
 
 Scene small(Scene scene, int side) {
     scene.render.width = scene.render.height = side;
-    scene.render.node_budget = std::min(scene.render.node_budget_in_force(), 1000);
+    scene.render.node_budget = std::min(node_budget_in_force(scene), 1000);
     scene.render.samples_per_pixel = std::min(scene.render.samples_per_pixel, 4);
     return scene;
 }
