@@ -28,18 +28,20 @@ struct alignas(64) FloatRays {
     float direction[3][RayBlock::size];
 };
 
-HWY_INLINE FloatVector along_of(const FloatPlane& plane, FloatVector margin, FloatVector dx, FloatVector dy,
-                                FloatVector dz) {
+// What the loops over the planes load again and again is loaded once: they store nothing.
+HWY_INLINE FloatVector along_of(const FloatPlane& plane, FloatVector margin, const FloatRays& rays, std::size_t lane) {
     const FloatLanes lanes;
-    const FloatVector x = hn::MulAdd(hn::Set(lanes, plane.x), dx, margin);
-    return hn::MulAdd(hn::Set(lanes, plane.z), dz, hn::MulAdd(hn::Set(lanes, plane.y), dy, x));
+    const FloatVector x = hn::MulAdd(hn::Set(lanes, plane.x), hn::Load(lanes, rays.direction[0] + lane), margin);
+    const FloatVector xy = hn::MulAdd(hn::Set(lanes, plane.y), hn::Load(lanes, rays.direction[1] + lane), x);
+    return hn::MulAdd(hn::Set(lanes, plane.z), hn::Load(lanes, rays.direction[2] + lane), xy);
 }
 
-HWY_INLINE FloatVector ahead_of(const FloatPlane& plane, FloatVector margin, FloatVector ox, FloatVector oy,
-                                FloatVector oz) {
+HWY_INLINE FloatVector ahead_of(const FloatPlane& plane, FloatVector margin, const FloatRays& rays, std::size_t lane) {
     const FloatLanes lanes;
-    const FloatVector x = hn::NegMulAdd(hn::Set(lanes, plane.x), ox, hn::Sub(hn::Set(lanes, plane.offset), margin));
-    return hn::NegMulAdd(hn::Set(lanes, plane.z), oz, hn::NegMulAdd(hn::Set(lanes, plane.y), oy, x));
+    const FloatVector offset = hn::Sub(hn::Set(lanes, plane.offset), margin);
+    const FloatVector x = hn::NegMulAdd(hn::Set(lanes, plane.x), hn::Load(lanes, rays.origin[0] + lane), offset);
+    const FloatVector xy = hn::NegMulAdd(hn::Set(lanes, plane.y), hn::Load(lanes, rays.origin[1] + lane), x);
+    return hn::NegMulAdd(hn::Set(lanes, plane.z), hn::Load(lanes, rays.origin[2] + lane), xy);
 }
 
 // first: facet with the smallest lower bound of its distance; second: the smallest of the other bounds. 0/0 is no
@@ -54,19 +56,13 @@ void exit_bounds(const FloatPlane* planes, std::size_t count, const PlaneScanFra
     const FloatVector zero = hn::Zero(lanes);
     const FloatVector one = hn::Set(lanes, 1.0F);
     for (std::size_t lane = 0; lane < RayBlock::size; lane += hn::Lanes(lanes)) {
-        const FloatVector ox = hn::Load(lanes, rays.origin[0] + lane);
-        const FloatVector oy = hn::Load(lanes, rays.origin[1] + lane);
-        const FloatVector oz = hn::Load(lanes, rays.origin[2] + lane);
-        const FloatVector dx = hn::Load(lanes, rays.direction[0] + lane);
-        const FloatVector dy = hn::Load(lanes, rays.direction[1] + lane);
-        const FloatVector dz = hn::Load(lanes, rays.direction[2] + lane);
         FloatVector index = zero;
         FloatVector best = none;
         FloatVector next = none;
         FloatVector facet = hn::Set(lanes, -1.0F);
         for (std::size_t i = 0; i < count; ++i) {
-            const FloatVector along = along_of(planes[i], along_margin, dx, dy, dz);
-            const FloatVector ahead = ahead_of(planes[i], ahead_margin, ox, oy, oz);
+            const FloatVector along = along_of(planes[i], along_margin, rays, lane);
+            const FloatVector ahead = ahead_of(planes[i], ahead_margin, rays, lane);
             const FloatVector low = hn::IfThenElse(hn::Lt(along, zero), none, hn::Div(ahead, along));
             facet = hn::IfThenElse(hn::Lt(low, best), index, facet);
             next = hn::Min(next, hn::Max(low, best));
@@ -91,12 +87,6 @@ void enter_bounds(const FloatPlane* planes, std::size_t count, const PlaneScanFr
     const FloatVector zero = hn::Zero(lanes);
     const FloatVector one = hn::Set(lanes, 1.0F);
     for (std::size_t lane = 0; lane < RayBlock::size; lane += hn::Lanes(lanes)) {
-        const FloatVector ox = hn::Load(lanes, rays.origin[0] + lane);
-        const FloatVector oy = hn::Load(lanes, rays.origin[1] + lane);
-        const FloatVector oz = hn::Load(lanes, rays.origin[2] + lane);
-        const FloatVector dx = hn::Load(lanes, rays.direction[0] + lane);
-        const FloatVector dy = hn::Load(lanes, rays.direction[1] + lane);
-        const FloatVector dz = hn::Load(lanes, rays.direction[2] + lane);
         FloatVector index = zero;
         FloatVector near = zero;
         FloatVector near_next = zero;
@@ -104,8 +94,8 @@ void enter_bounds(const FloatPlane* planes, std::size_t count, const PlaneScanFr
         FloatVector far = none;
         FloatVector far_facet = near_facet;
         for (std::size_t i = 0; i < count; ++i) {
-            const FloatVector along = along_of(planes[i], along_margin, dx, dy, dz);
-            const FloatVector ahead = ahead_of(planes[i], ahead_margin, ox, oy, oz);
+            const FloatVector along = along_of(planes[i], along_margin, rays, lane);
+            const FloatVector ahead = ahead_of(planes[i], ahead_margin, rays, lane);
             const FloatVector quotient = hn::Div(ahead, along);
             const FloatVector entry = hn::IfThenElse(hn::Lt(along, zero), quotient, zero);
             const FloatVector leave = hn::IfThenElse(hn::Lt(along, zero), none, quotient);

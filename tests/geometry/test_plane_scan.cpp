@@ -11,23 +11,13 @@
 
 #include "geometry/geometry_helpers.h"
 #include "geometry/shapes.h"
+#include "support/instruction_sets.h"
 
 namespace pol {
 namespace {
 
 using test::dice;
 using test::Dice;
-
-struct AllTargets {
-    ~AllTargets() { hwy::SetSupportedTargetsForTest(0); }
-};
-
-std::vector<std::int64_t> targets() {
-    hwy::SetSupportedTargetsForTest(0);
-    std::vector<std::int64_t> all;
-    for (std::int64_t bits = hwy::SupportedTargets(); bits != 0; bits &= bits - 1) all.push_back(bits & -bits);
-    return all;
-}
 
 /// Blocks of 16 rays of each kind for each solid; POLARISCOPE_SCAN_BLOCKS runs more.
 int blocks() {
@@ -117,8 +107,8 @@ void inner_ray(const HalfSpaceSolid& solid, int kind, Dice& random, RayBlock& ra
 }
 
 TEST(PlaneScan, FindsTheFacetAndTheDistanceOfTheExactScanForRaysFromInside) {
-    const AllTargets restore;
-    const auto every = targets();
+    const test::EveryInstructionSet restore;
+    const auto every = test::instruction_sets();
     ASSERT_GE(every.size(), 2U) << "this machine runs one instruction set only: nothing was compared";
     Dice random = dice(11);
     for (const ScannedSolid& scanned : solids()) {
@@ -174,8 +164,8 @@ void outer_ray(const HalfSpaceSolid& solid, int kind, Dice& random, RayBlock& ra
 }
 
 TEST(PlaneScan, FindsTheEntryOfTheExactScanForRaysFromOutside) {
-    const AllTargets restore;
-    const auto every = targets();
+    const test::EveryInstructionSet restore;
+    const auto every = test::instruction_sets();
     Dice random = dice(12);
     for (const ScannedSolid& scanned : solids()) {
         const PlaneScan scan(scanned.solid);

@@ -12,21 +12,11 @@
 
 #include "plan/lanes.h"
 #include "render/render_pass.h"
+#include "support/instruction_sets.h"
 #include "support/render_scene.h"
 
 namespace pol {
 namespace {
-
-struct AllTargets {
-    ~AllTargets() { hwy::SetSupportedTargetsForTest(0); }
-};
-
-std::vector<std::int64_t> targets() {
-    hwy::SetSupportedTargetsForTest(0);
-    std::vector<std::int64_t> all;
-    for (std::int64_t bits = hwy::SupportedTargets(); bits != 0; bits &= bits - 1) all.push_back(bits & -bits);
-    return all;
-}
 
 struct PassResult {
     TileBuffer buffer;
@@ -120,7 +110,7 @@ std::vector<LaneScene> scenes() {
 }
 
 TEST(Lanes, ThePictureHasTheBitsOfOneBranchAfterTheOtherOnEveryInstructionSet) {
-    const AllTargets restore;
+    const test::EveryInstructionSet restore;
     for (const LaneScene& lane_scene : scenes()) {
         SCOPED_TRACE(lane_scene.name);
         const auto plan = test::plan_of(lane_scene.scene);
@@ -130,7 +120,7 @@ TEST(Lanes, ThePictureHasTheBitsOfOneBranchAfterTheOtherOnEveryInstructionSet) {
         EXPECT_GT(expected.statistics.nodes, expected.statistics.samples);
         EXPECT_EQ(expected.statistics.failures, 0U);
         EXPECT_LE(expected.statistics.worst_energy_defect, 1e-12);
-        for (const std::int64_t target : targets()) {
+        for (const std::int64_t target : test::instruction_sets()) {
             SCOPED_TRACE(hwy::TargetName(target));
             hwy::SetSupportedTargetsForTest(target);
             expect_same(pass(*plan, Follow::side_by_side), expected);
