@@ -145,9 +145,10 @@ TEST(LiveListener, MoreConnectionsThanAllowedAreClosed) {
     const LiveClient third(listener->address().port);
     EXPECT_TRUE(third.is_closed());
     second.close();
+    // Each try is a client of its own, and two of them may have been let in before the count is read.
     EXPECT_TRUE(soon([&] {
         const LiveClient another(listener->address().port);
-        return listener->counts().connections == 3;
+        return listener->counts().connections >= 3;
     }));
 }
 
