@@ -15,10 +15,16 @@ struct Light {
     float residual;
     float surplus;
     float unphysical;
+    float samples;
     float no_light;
     vec3 color;
     bool is_sampled;
 };
+
+// LightFloats::left_out of viewer/picture/picture_floats.h: samples, or minus the unphysical part.
+float unphysical_part(float counted) {
+    return isnan(counted) ? counted : max(0.0, -counted);
+}
 
 struct MapPixel {
     float value;
@@ -42,6 +48,10 @@ MapPixel evaluate(Light light) {
     if (quantity == quantity_intensity) return d65 == 0.0 ? empty(state_undefined) : number(light.stokes.x / d65);
     if (quantity == quantity_residual) return number(light.residual);
     if (quantity == quantity_unphysical) return number(light.unphysical);
+    if (quantity == quantity_samples) {
+        if (isnan(light.unphysical)) return empty(state_not_a_number);
+        return light.unphysical > 0.0 ? empty(state_unphysical) : number(light.samples);
+    }
 
     vec4 s = light.stokes;
     float surplus = light.surplus;

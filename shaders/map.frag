@@ -5,7 +5,7 @@
 // would cost as much as all of them.
 
 uniform sampler2D stokes;        // S0..S3 of the shown wavelength, behind the polarimeter
-uniform sampler2D left_out;      // residual, S0 of the tail, unphysical part, S0 that is no light (negative: no sample yet)
+uniform sampler2D left_out;      // residual, S0 of the tail, samples or minus the unphysical part, S0 that is no light (negative: no sample yet)
 uniform sampler2D red;           // red of S0, S1, S2, S3 as the color picture weighs them, before the polarimeter
 uniform sampler2D green;
 uniform sampler2D blue;
@@ -44,13 +44,14 @@ Light light_at(ivec2 at) {
         vec4 b = texelFetch(blue, at, 0);
         color = has_polarimeter ? vec3(dot(polarimeter_row, r), dot(polarimeter_row, g), dot(polarimeter_row, b)) : vec3(r.x, g.x, b.x);
     }
-    return Light(texelFetch(stokes, at, 0), error.x, error.y, error.z, error.w, color, error.w >= 0.0);
+    return Light(texelFetch(stokes, at, 0), error.x, error.y, unphysical_part(error.z), max(error.z, 0.0), error.w,
+                 color, error.w >= 0.0);
 }
 
 // Mean of the pixels first <= p <= last, of at most 8 x 8 of them: light adds, maps of it do not. The worst defect counts.
 Light mean_light(ivec2 first, ivec2 last) {
     ivec2 stride = max(ivec2(1), (last - first + 8) / 8);
-    Light mean = Light(vec4(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), false);
+    Light mean = Light(vec4(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), false);
     float count = 0.0;
     for (int y = first.y; y <= last.y; y += stride.y) {
         for (int x = first.x; x <= last.x; x += stride.x) {
@@ -61,6 +62,7 @@ Light mean_light(ivec2 first, ivec2 last) {
             mean.residual += one.residual;
             mean.surplus += one.surplus;
             if (isnan(one.unphysical) || one.unphysical > mean.unphysical) mean.unphysical = one.unphysical;
+            mean.samples += one.samples;
             mean.no_light += one.no_light;
             mean.color += one.color;
         }
@@ -69,6 +71,7 @@ Light mean_light(ivec2 first, ivec2 last) {
     mean.stokes /= count;
     mean.residual /= count;
     mean.surplus /= count;
+    mean.samples /= count;
     mean.no_light /= count;
     mean.color /= count;
     return mean;

@@ -69,8 +69,7 @@ Result<StokesImage> render_for(Scene scene, const fs::path& file, const StokesIm
         scene.render.wavelengths_nm = wavelengths_of_colors();
     POL_TRY(auto plan, compile(scene));
     StokesImage image = render_to_end(std::move(plan)).picture;
-    for (auto& [name, text] : picture_attributes(scene, scene.render.samples_per_pixel, file))
-        image.attributes[name] = text;
+    for (auto& [name, text] : picture_attributes(scene, image.samples, file)) image.attributes[name] = text;
     return image;
 }
 

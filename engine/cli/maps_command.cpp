@@ -143,7 +143,10 @@ Result<Done> write_map(const StokesImage& image, Quantity quantity, std::size_t 
     warn_of(PixelState::not_a_number, "are not a number");
     const bool is_of_bounds = info(quantity).is_of_bounds();
     const std::size_t unknown = map.state_count[static_cast<std::size_t>(PixelState::not_measured)];
-    if (unknown > 0 && !is_of_bounds)
+    if (unknown > 0 && quantity == Quantity::samples)
+        remark(fmt::format("{}: '{}' is not known: the picture does not tell\n", request.path().string(),
+                           info(quantity).name));
+    else if (unknown > 0 && !is_of_bounds)
         remark(fmt::format("{}: '{}' needs a Stokes component that was not measured\n", request.path().string(),
                            info(quantity).name));
     if (unknown > 0 && is_of_bounds)

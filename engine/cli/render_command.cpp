@@ -157,8 +157,7 @@ int run(const RenderRequest& request) {
     if (display) display->finish();
     const auto output_start = Clock::now();
     StokesImage image = renderer.snapshot();
-    const auto samples = static_cast<int>(outcome.value().progress.film.fewest_samples);
-    image.attributes.merge(picture_attributes(scene, samples, request.scene.scene));
+    image.attributes.merge(picture_attributes(scene, image.samples, request.scene.scene));
     if (auto written = write_exr(image, request.output); !written) return report(written.error());
     timing.output_s = seconds_since(output_start);
 
@@ -196,9 +195,9 @@ void add_render_command(ProgramCommand app, int& exit_code) {
         "neither for --time nor for the time left.\n"
         "\n--error E: light that is not traced (a bound, for which the residual is refined) and too few samples (a\n"
         "limit of confidence, 95 % over all looks) must each fall below its share of E: a few trees tell which split\n"
-        "costs least. It is looked at when the samples have doubled, from 16 on. Mode area unless --mode says\n"
-        "otherwise; without --spp, samples are added until then. Exit code 10 if --time or --spp ends it before, or\n"
-        "the picture stays black.\n"
+        "costs least. Samples go to the pixels where they take most of the error away (maps --map samples). Mode area\n"
+        "unless --mode says otherwise; without --spp, the most of a pixel, they are added until then. Exit code 10 if\n"
+        "--time or --spp ends it before, or the picture stays black.\n"
         "\nExamples:\n"
         "  polariscope render assets/scenes/paper-calcite-unpolarized.yaml -o calcite.exr --wavelengths 380:780:20\n"
         "  polariscope render assets/scenes/paper-glass-unpolarized.yaml -o glass9.exr --depth 9   (the paper's cut)\n"

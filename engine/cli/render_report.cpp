@@ -120,7 +120,7 @@ std::string goal_text(const ErrorGoal& goal) {
 void print_error_report(const ErrorReport& report) {
     std::string sampling = report.error.sampling ? fmt::format("{:.3g} (68 %)", *report.error.sampling) : "not known";
     if (const auto limit = sampling_limit(report)) sampling += fmt::format(", at most {:.3g} (95 %)", *limit);
-    remark(fmt::format("{} sample{} per pixel, {}: bound of truncation {:.3g}, estimate of sampling {}\n",
+    remark(fmt::format("{:.4g} sample{} per pixel, {}: bound of truncation {:.3g}, estimate of sampling {}\n",
                        report.samples, report.samples == 1 ? "" : "s", duration_text(report.seconds),
                        report.error.truncation, sampling));
 }

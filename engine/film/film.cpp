@@ -118,10 +118,37 @@ FilmStatus Film::status() const {
     return status;
 }
 
+std::shared_ptr<const Strata> Film::stratify(Generation generation) {
+    std::unique_lock lock(mutex_);
+    if (generation != sums_->generation) return nullptr;
+    const std::shared_ptr<FilmSums> sums = sums_;
+    lock.unlock();
+    auto strata = std::make_shared<const Strata>(sums->stratify());
+    lock.lock();
+    sums->strata = strata;
+    lock.unlock();
+    for (TileSums& tile : sums->tiles) {
+        lock.lock();
+        sums->measure(tile);
+        lock.unlock();
+    }
+    return strata;
+}
+
+std::array<double, most_strata> Film::stratum_errors(Generation generation) const {
+    const std::scoped_lock lock(mutex_);
+    std::array<double, most_strata> sums{};
+    if (generation != sums_->generation) return sums;
+    for (const TileSums& tile : sums_->tiles)
+        for (std::size_t i = 0; i < most_strata; ++i) sums[i] += tile.stratum_error[i];
+    return sums;
+}
+
 double Film::bytes_per_pixel() const {
     const std::scoped_lock lock(mutex_);
     const auto bytes = [](const auto& v) { return static_cast<double>(v.capacity() * sizeof(v[0])); };
-    double sum = bytes(sums_->preview_stokes) + bytes(sums_->preview_residual) + bytes(sums_->preview_tail);
+    double sum = sums_->strata ? sums_->strata->bytes() : 0.0;
+    sum += bytes(sums_->preview_stokes) + bytes(sums_->preview_residual) + bytes(sums_->preview_tail);
     double pixels = 0.0;
     for (const TileSums& tile : sums_->tiles) {
         sum += sizeof(TileSums) + bytes(tile.stokes) + bytes(tile.odd_minus_even) + bytes(tile.residual) +

@@ -2,6 +2,7 @@
 // The accumulator: per pixel and wavelength the summed Stokes vector, and what is known about its error.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "film/film_sums.h"
 #include "film/picture_error.h"
 #include "film/stokes_image.h"
+#include "film/strata.h"
 #include "film/tile.h"
 
 namespace pol {
@@ -78,6 +80,14 @@ public:
     [[nodiscard]] StokesImage snapshot() const;
 
     [[nodiscard]] FilmStatus status() const;
+
+    /// Sorts the pixels into strata by what they hold now, and keeps that until reset(). Null if the film belongs to
+    /// another generation. Requires: all pixels have the same number of samples, at least 2, and nobody merges.
+    std::shared_ptr<const Strata> stratify(Generation generation);
+
+    /// What each stratum adds to the error of the picture, ErrorSums::half_error. Requires: stratify() of this
+    /// generation, or another generation; then all are 0.
+    [[nodiscard]] std::array<double, most_strata> stratum_errors(Generation generation) const;
 
     /// Bytes held per pixel.
     [[nodiscard]] double bytes_per_pixel() const;

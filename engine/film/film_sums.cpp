@@ -91,30 +91,37 @@ void FilmSums::add(TileSums& tile, const TileBuffer& pass) const {
     const auto add_to = [](auto& sums, std::size_t to, const auto& parts, std::size_t from, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) sums[to * count + i] += parts[from * count + i];
     };
-    std::size_t from = 0;
-    for (int y = pass.rect.y0; y < pass.rect.y1; ++y) {
-        for (int x = pass.rect.x0; x < pass.rect.x1; ++x, ++from) {
-            const auto to = static_cast<std::size_t>((y - tile.rect.y0) * tile.rect.width() + x - tile.rect.x0);
-            add_to(tile.stokes, to, pass.stokes, from, wavelengths());
-            add_to(tile.residual, to, pass.residual, from, groups());
-            if (has_tail) add_to(tile.tail, to, pass.tail, from, groups());
-            if (has_failures) tile.failures[to] += pass.failures[from];
-            tile.samples[to] += pass.samples;
-            if (!has_halves) continue;
-            for (std::size_t w = 0; w < wavelengths(); ++w) {
-                const Stokes<double>& d = pass.odd_minus_even[from * wavelengths() + w];
-                tile.odd_minus_even[to * wavelengths() + w] +=
-                    Stokes<float>{static_cast<float>(d.s0), static_cast<float>(d.s1), static_cast<float>(d.s2),
-                                  static_cast<float>(d.s3)};
-            }
+    const auto row = static_cast<std::size_t>(pass.rect.width());
+    const auto tile_row = static_cast<std::size_t>(tile.rect.width());
+    const auto corner = static_cast<std::size_t>(pass.rect.y0 - tile.rect.y0) * tile_row +
+                        static_cast<std::size_t>(pass.rect.x0 - tile.rect.x0);
+    for (std::size_t from = 0; from < pass.pixel_count(); ++from) {
+        const std::size_t pixel = pass.pixel(from);
+        const std::size_t to = corner + pixel / row * tile_row + pixel % row;
+        add_to(tile.stokes, to, pass.stokes, from, wavelengths());
+        add_to(tile.residual, to, pass.residual, from, groups());
+        if (has_tail) add_to(tile.tail, to, pass.tail, from, groups());
+        if (has_failures) tile.failures[to] += pass.failures[from];
+        tile.samples[to] += pass.samples;
+        if (!has_halves) continue;
+        for (std::size_t w = 0; w < wavelengths(); ++w) {
+            const Stokes<double>& d = pass.odd_minus_even[from * wavelengths() + w];
+            tile.odd_minus_even[to * wavelengths() + w] += Stokes<float>{
+                static_cast<float>(d.s0), static_cast<float>(d.s1), static_cast<float>(d.s2), static_cast<float>(d.s3)};
         }
     }
-    tile.status.fewest_samples = *std::min_element(tile.samples.begin(), tile.samples.end());
-    tile.status.sample_count += static_cast<double>(pass.samples) * static_cast<double>(pass.rect.pixel_count());
-    tile.status.error = measure(tile);
+    tile.status.sample_count += static_cast<double>(pass.samples) * static_cast<double>(pass.pixel_count());
+    if (!pass.more_follow) measure(tile);
 }
 
-ErrorSums FilmSums::measure(const TileSums& tile) const {
+double FilmSums::half_error(const TileSums& tile, std::size_t pixel) const {
+    double sum = 0.0;
+    for (std::size_t at = pixel * wavelengths(); at < (pixel + 1) * wavelengths(); ++at)
+        sum += frobenius_square(half_difference(tile.stokes[at], tile.odd_minus_even[at], tile.samples[pixel]));
+    return sum;
+}
+
+void FilmSums::measure(TileSums& tile) const {
     // Wavelengths of a group have the same residual.
     std::vector<double> members(groups(), 0.0);
     std::vector<double> brightest_square(groups(), 0.0);
@@ -124,6 +131,7 @@ ErrorSums FilmSums::measure(const TileSums& tile) const {
         brightest_square[group] += square(brightest(w));
     }
     ErrorSums sums;
+    tile.stratum_error = {};
     sums.has_tail = !tile.tail.empty();
     const bool count_tail = !layout.random_samples && sums.has_tail;
     for (std::size_t pixel = 0; pixel < tile.samples.size(); ++pixel) {
@@ -147,15 +155,13 @@ ErrorSums FilmSums::measure(const TileSums& tile) const {
             sums.has_single = true;
             continue;
         }
-        double half_error = 0.0;
-        for (std::size_t w = 0; w < wavelengths(); ++w) {
-            const std::size_t at = pixel * wavelengths() + w;
-            half_error += frobenius_square(half_difference(tile.stokes[at], tile.odd_minus_even[at], samples));
-        }
-        sums.half_error += half_error;
-        sums.half_error_square += square(half_error);
+        const double error = half_error(tile, pixel);
+        sums.half_error += error;
+        sums.half_error_square += square(error);
+        if (strata) tile.stratum_error[strata->of_pixel(tile.rect, pixel)] += error;
     }
-    return sums;
+    tile.status.error = sums;
+    tile.status.fewest_samples = *std::min_element(tile.samples.begin(), tile.samples.end());
 }
 
 void FilmSums::copy(const TileSums& tile, const TileRect& part, StokesImage& image, int left, int top) const {

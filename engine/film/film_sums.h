@@ -2,14 +2,17 @@
 // What a film holds of one generation, tile by tile: adding passes, measuring their error, copying means.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "film/picture_error.h"
 #include "film/stokes_image.h"
+#include "film/strata.h"
 #include "film/tile.h"
 #include "polarization/stokes.h"
 
@@ -31,10 +34,10 @@ struct FilmLayout {
     std::string title{};
 };
 
-/// How good a tile is.
+/// How good a tile is: as of its last pass that was not to be followed by more at once (TileBuffer::more_follow).
 struct TileStatus {
     std::uint32_t fewest_samples = 0;  ///< of a pixel
-    double sample_count = 0.0;         ///< of all pixels
+    double sample_count = 0.0;         ///< of all pixels, as of now
     ErrorSums error{};
 };
 
@@ -62,6 +65,7 @@ struct TileSums {
     std::vector<std::uint32_t> samples;
     std::vector<std::uint32_t> failures;
     TileStatus status{};
+    std::array<double, most_strata> stratum_error{};  ///< status.error.half_error, by stratum of the pixels
 };
 
 /// Plane sets that a picture may lack.
@@ -77,6 +81,7 @@ struct FilmSums {
     Generation generation = 0;
     std::vector<TileSums> tiles;
     std::size_t tiles_without_samples = 0;
+    std::shared_ptr<const Strata> strata;  ///< of the pixels; null: they are not sorted
     /// The preview, block by block; stride 0: none, or not needed any more.
     int preview_stride = 0;
     std::vector<bool> preview_rows;  // which of them are there
@@ -106,6 +111,10 @@ struct FilmSums {
     /// Adds what `present` says and the image lacks.
     void add_planes(StokesImage& image, const FilmPlanes& present) const;
     void add(TileSums& tile, const TileBuffer& pass) const;
+    /// Renews the error of a tile.
+    void measure(TileSums& tile) const;
+    /// Sorts the pixels by what their neighbors tell. Requires: all have the same number of samples, at least 2.
+    [[nodiscard]] Strata stratify() const;
     void show(const PreviewStrip& strip, Version version);
     void forget_preview();
     /// Copies the means of `part` of a tile with samples into a picture, its corner to (left, top).
@@ -114,7 +123,8 @@ struct FilmSums {
     [[nodiscard]] std::optional<TileSnapshot> look(const TileSums& tile, const TileRect& part) const;
 
 private:
-    [[nodiscard]] ErrorSums measure(const TileSums& tile) const;
+    /// ||h||_F^2 of ErrorSums, summed over wavelengths. Requires: 2 samples or more, and halves.
+    [[nodiscard]] double half_error(const TileSums& tile, std::size_t pixel) const;
     /// Blocks of this stride in place of those of another, which they begin with.
     void divide_preview(int stride);
     [[nodiscard]] bool has_preview(const TileSums& tile) const;

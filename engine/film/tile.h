@@ -40,12 +40,16 @@ inline std::vector<TileRect> cut_tiles(int width, int height, int size) {
     return tiles;
 }
 
-/// One finished pass over a tile, owned by one worker. Index: pixel in the tile (row by row) * count + wavelength or
-/// group.
+/// One finished pass over a tile or some of its pixels, owned by one worker. Index: which of these pixels * count +
+/// wavelength or group.
 struct TileBuffer {
     Generation generation = 0;
     TileRect rect{};
-    std::uint32_t samples = 0;  ///< that every pixel of the tile got in this pass
+    /// In the rectangle, counted row by row; empty: all.
+    std::vector<std::uint32_t> pixels;
+    std::uint32_t samples = 0;  ///< that each of these pixels got in this pass
+    /// Passes over other pixels of the rectangle follow at once: the error of the tile is measured after the last.
+    bool more_follow = false;
     std::vector<Stokes<double>> stokes;
     /// Sum of the odd samples minus that of the even ones, counted from 0. Empty if the picture needs no estimate of
     /// its sampling error; then it is empty in every pass of the job.
@@ -53,6 +57,10 @@ struct TileBuffer {
     std::vector<double> residual;
     std::vector<double> tail;
     std::vector<std::uint32_t> failures;
+
+    [[nodiscard]] std::size_t pixel_count() const { return pixels.empty() ? rect.pixel_count() : pixels.size(); }
+    /// In the rectangle, of the pixel with that index in the other vectors.
+    [[nodiscard]] std::size_t pixel(std::size_t index) const { return pixels.empty() ? index : pixels[index]; }
 };
 
 /// A row of preview blocks: one sample stands for a block of `stride` x `stride` pixels. Index: column * count +

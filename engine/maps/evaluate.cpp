@@ -64,6 +64,7 @@ Reading read(Quantity quantity, const Stokes<double>& s, const Measures<double>&
         case Quantity::intensity:
         case Quantity::residual:
         case Quantity::unphysical:
+        case Quantity::samples:
         case Quantity::poincare:
             break;
     }
@@ -78,6 +79,14 @@ Interval<double> signed_share(double part, const Interval<double>& bar, const Pi
     if (!(least > 0.0)) return {-1.0, 1.0};
     const double limit = std::max(1.0, std::abs(part) / light.stokes.s0);
     return {std::max(-limit, bar.low / least), std::min(limit, bar.high / least)};
+}
+
+/// What is no light shows itself here, too: on the GPU one number tells both.
+MapPixel evaluate_samples(const PixelLight& light) {
+    if (light.samples < 0.0) return empty(PixelState::not_measured);
+    const double unphysical = unphysical_part(light);
+    if (std::isnan(unphysical)) return empty(PixelState::not_a_number);
+    return unphysical > 0.0 ? empty(PixelState::unphysical) : number(light.samples);
 }
 
 }  // namespace
@@ -114,6 +123,7 @@ MapPixel evaluate_light(const PixelLight& light, Quantity quantity, double d65) 
     if (quantity == Quantity::intensity) return number(s.s0 / d65);
     if (quantity == Quantity::residual) return number(light.residual);
     if (quantity == Quantity::unphysical) return number(unphysical_part(light));
+    if (quantity == Quantity::samples) return evaluate_samples(light);
 
     const bool is_number = std::isfinite(s.s0) && std::isfinite(polarized_part(s)) && std::isfinite(light.missing) &&
                            std::isfinite(light.surplus);
@@ -177,6 +187,7 @@ std::optional<Interval<double>> error_bar(const PixelLight& light, Quantity quan
         case Quantity::ellipticity_error:
         case Quantity::azimuth_error:
         case Quantity::unphysical:
+        case Quantity::samples:
         case Quantity::poincare:
             return std::nullopt;
     }

@@ -9,6 +9,7 @@ PixelLight pixel_light(const StokesImage& image, std::size_t band, std::size_t p
     light.known = image.bands[band].known;
     light.stokes = image.at(band, pixel);
     light.surplus = image.plane_value(image.tail, band, pixel) * brightest;
+    if (!image.samples.empty()) light.samples = image.samples[pixel];
     light.is_bounded = !image.residual.empty();
     light.residual = image.plane_value(image.residual, band, pixel);
     light.missing = light.residual * brightest + light.surplus;

@@ -16,6 +16,7 @@ struct PixelLight {
     double missing = 0.0;   ///< most S0 that may have been left out, (residual + tail) brightest
     double surplus = 0.0;   ///< most S0 that may be there too much, tail brightest
     double residual = 0.0;  ///< share of the throughput that was not traced
+    double samples = -1.0;  ///< of the pixel; negative: the picture does not tell
     /// The picture tells what was not traced. One that does not, another program's, has no bounds: they are not 0.
     bool is_bounded = true;
     /// Light that the arithmetic had in hand: what is nothing but rounding beside it is no light. 0: not known.

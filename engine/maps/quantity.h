@@ -32,6 +32,7 @@ enum class Quantity : std::uint8_t {
     ellipticity_error,
     azimuth_error,
     unphysical,
+    samples,
     poincare,  ///< of two pictures, as the next ones would be
 };
 inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::poincare) + 1;
@@ -92,7 +93,7 @@ struct QuantityInfo {
 
     /// A bound, or how much was not traced: of a picture that does not tell, nobody knows.
     [[nodiscard]] constexpr bool is_of_bounds() const {
-        return group == MapGroup::trust && quantity != Quantity::unphysical;
+        return group == MapGroup::trust && quantity != Quantity::unphysical && quantity != Quantity::samples;
     }
     /// Fades as the part of the light that has the property vanishes.
     [[nodiscard]] constexpr bool fades() const { return carrier != Carrier::light && has_bar; }

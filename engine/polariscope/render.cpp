@@ -75,8 +75,7 @@ Result<Rendering> render(const Plan& plan, const RenderOptions& options) {
         const Result<RenderEnd> end = end_of(done.progress.reason);
         if (!end) return end.error();
         const detail::SceneData& scene = Inside::of(data.scene);
-        done.picture.attributes.merge(
-            pol::picture_attributes(scene.scene, static_cast<int>(done.progress.film.fewest_samples), scene.file));
+        done.picture.attributes.merge(pol::picture_attributes(scene.scene, done.picture.samples, scene.file));
         return Rendering{Inside::pack(detail::PictureData{std::move(done.picture)}), outer_progress(done.progress),
                          end.value()};
     });

@@ -14,20 +14,6 @@ namespace pol {
 
 namespace {
 
-/// Passes double in length, so that a picture is there early and the overhead of a pass vanishes later. The limits
-/// depend on nothing but the sample number: every run sums a pixel in the same order.
-std::uint32_t pass_end(std::uint32_t first_sample, std::uint32_t wanted) {
-    constexpr std::uint32_t longest = 16;
-    const std::uint32_t length = std::clamp(first_sample, 1U, longest);
-    return std::min(wanted, first_sample + length);
-}
-
-/// Samples at which the error is looked at after `samples`, at the end of a pass: whoever looks more often stops at
-/// luckier moments (sampling_limit).
-std::uint32_t next_look(std::uint32_t samples, std::uint32_t wanted) {
-    return samples < wanted / 2 ? 2 * samples : wanted;
-}
-
 bool is_same(const RenderTask& a, const RenderTask& b) {
     return std::visit(
         Overloaded{
@@ -51,11 +37,11 @@ RenderJob::RenderJob(std::shared_ptr<const Plan> the_plan, Generation number, co
       order_(tiles.size()),
       importance_(*plan, previews.front()),
       level_began_(Clock::now()),
+      tile_strata_(tiles.size(), 1U),
       last_look_(Clock::now()) {
     std::iota(order_.begin(), order_.end(), 0);
-    if (goal_) next_report_ = 1;
     if (options.watch == Watch::headless)
-        queue_passes(0);
+        queue_round(first_round());
     else
         queue_preview(0);
 }
@@ -65,8 +51,30 @@ void RenderJob::queue_preview(int level) {
     for (int row = 0; row < previews_missing_; ++row) queue_.emplace_back(PreviewTask{level, row});
 }
 
-void RenderJob::queue_passes(std::uint32_t first_sample) {
-    for (const int tile : order_) queue_.emplace_back(TileTask{tile, first_sample, pass_end(first_sample, wanted())});
+/// All samples without a goal; up to the first look with one.
+SampleRound RenderJob::first_round() const {
+    SampleRound round;
+    round.spans.front().end = wanted();
+    if (goal_) round.spans.front().end = std::min(wanted(), plan->settings.has_halves() ? samples_to_sort : 1U);
+    return round;
+}
+
+void RenderJob::queue_round(SampleRound round) {
+    round_ = std::make_shared<const SampleRound>(std::move(round));
+    tiles_missing_ = 0;
+    for (const int tile : order_) {
+        TileTask pass = pass_after(tile, 0);
+        if (pass.samples.is_empty()) continue;
+        ++tiles_missing_;
+        queue_.emplace_back(std::move(pass));
+    }
+}
+
+TileTask RenderJob::pass_after(int tile, std::uint32_t sample) const {
+    const std::uint32_t strata = tile_strata_[static_cast<std::size_t>(tile)];
+    TileTask pass{tile, round_->next_pass(sample, strata), round_, false};
+    pass.more_follow = round_->strata && !round_->next_pass(pass.samples.end, strata).is_empty();
+    return pass;
 }
 
 RenderTask RenderJob::take() {
@@ -77,14 +85,17 @@ RenderTask RenderJob::take() {
 }
 
 void RenderJob::forget(const RenderTask& task) {
-    const auto found =
-        std::find_if(busy_.begin(), busy_.end(), [&task](const RenderTask& other) { return is_same(task, other); });
-    POL_EXPECTS(found != busy_.end());
-    busy_.erase(found);
+    const auto gone = std::erase_if(busy_, [&task](const RenderTask& other) { return is_same(task, other); });
+    POL_EXPECTS(gone == 1);
 }
 
 void RenderJob::drop(const RenderTask& task) {
     forget(task);
+}
+
+void RenderJob::fail_for_memory(const RenderTask& task) {
+    if (!std::exchange(awaits_report_, false)) forget(task);
+    stop(StopReason::memory);
 }
 
 void RenderJob::deliver(const PreviewTask& task, const PreviewStrip& strip, Clock::time_point now) {
@@ -99,7 +110,7 @@ void RenderJob::deliver(const PreviewTask& task, const PreviewStrip& strip, Cloc
         next_level_pays(previews[static_cast<std::size_t>(task.level)], seconds))
         queue_preview(next);
     else
-        queue_passes(0);
+        queue_round(first_round());
 }
 
 bool RenderJob::deliver(const TileTask& task, const RenderStatistics& statistics) {
@@ -109,23 +120,50 @@ bool RenderJob::deliver(const TileTask& task, const RenderStatistics& statistics
     statistics_.failures += statistics.failures;
     statistics_.most_nodes = std::max(statistics_.most_nodes, statistics.most_nodes);
     statistics_.worst_energy_defect = std::max(statistics_.worst_energy_defect, statistics.worst_energy_defect);
-    if (task.last_sample == next_report_) return ++tiles_arrived_ == static_cast<int>(tiles.size());
-    if (task.last_sample < wanted())
-        queue_.emplace_back(TileTask{task.tile, task.last_sample, pass_end(task.last_sample, wanted())});
-    else if (queue_.empty() && busy_.empty())
-        stop(StopReason::samples);
-    return false;
+    TileTask pass = pass_after(task.tile, task.samples.end);
+    if (!pass.samples.is_empty()) {
+        queue_.emplace_back(std::move(pass));
+    } else if (--tiles_missing_ == 0) {
+        if (!goal_) stop(StopReason::samples);
+        awaits_report_ = goal_.has_value();
+    }
+    return awaits_report_;
 }
 
-void RenderJob::report(const PictureError& error) {
-    const std::uint32_t samples = next_report_;
-    reports_.push_back({samples, seconds_, error});
-    const StopReason verdict = judge(reports_.back(), *goal_);
+bool RenderJob::wants_strata(const PictureError& error) const {
+    return !round_->strata && round_->spans.front().end >= samples_to_sort && can_be_sorted(error);
+}
+
+void RenderJob::report(const PictureError& error, std::shared_ptr<const Strata> strata,
+                       const std::array<double, most_strata>& errors) {
+    awaits_report_ = false;
+    if (cancelled) return;
+    ErrorReport report;
+    report.samples = round_->samples_at_end(picture_pixels()) / static_cast<double>(picture_pixels());
+    report.seconds = seconds_;
+    report.error = error;
+    if (is_enough_to_judge(report.samples, picture_pixels()))
+        report.look = reports_.empty() ? 1 : reports_.back().look + 1;
+    reports_.push_back(report);
+    const StopReason verdict = judge(report, *goal_);
     if (verdict != StopReason::none) return stop(verdict);
-    if (samples == wanted()) return stop(StopReason::samples);
-    next_report_ = next_look(samples, wanted());
-    tiles_arrived_ = 0;
-    queue_passes(samples);
+    SampleRound here = *round_;
+    if (strata) {
+        here.spans.assign(strata->pixels.size(), round_->spans.front());
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            tile_strata_[i] = 0;
+            for (std::size_t pixel = 0; pixel < tiles[i].pixel_count(); ++pixel)
+                tile_strata_[i] |= 1U << strata->of_pixel(tiles[i], pixel);
+        }
+        here.strata = std::move(strata);
+    }
+    auto next = next_round(here, errors, wanted());
+    if (!next) return stop(StopReason::samples);
+    queue_round(std::move(*next));
+}
+
+std::size_t RenderJob::picture_pixels() const {
+    return static_cast<std::size_t>(plan->settings.width) * static_cast<std::size_t>(plan->settings.height);
 }
 
 void RenderJob::stop(StopReason reason) {
@@ -156,10 +194,7 @@ RenderProgress RenderJob::progress(Clock::time_point now) const {
     const double seconds = seconds_at(now);
     RenderProgress progress;
     progress.generation = generation;
-    const RenderSettings& settings = plan->settings;
-    const double samples_wanted = static_cast<double>(settings.width) * static_cast<double>(settings.height) *
-                                  static_cast<double>(settings.samples_per_pixel);
-    progress.done = static_cast<double>(statistics_.samples) / samples_wanted;
+    progress.done = static_cast<double>(statistics_.samples) / (static_cast<double>(picture_pixels()) * wanted());
     progress.finished = finished();
     progress.reason = reason_;
     progress.paused = paused_;

@@ -15,6 +15,7 @@
 #include "plan/plan.h"
 #include "render/preview.h"
 #include "render/render_progress.h"
+#include "render/sample_round.h"
 #include "render/stop_rules.h"
 
 namespace pol {
@@ -25,11 +26,12 @@ struct PreviewTask {
     int row = 0;
 };
 
-/// Samples first_sample..last_sample-1 of every pixel of a tile, counted from 0 at RenderSettings::first_sample().
+/// Samples of those pixels of a tile that get them in this round.
 struct TileTask {
     int tile = 0;
-    std::uint32_t first_sample = 0;
-    std::uint32_t last_sample = 0;
+    SampleSpan samples{};
+    std::shared_ptr<const SampleRound> round;
+    bool more_follow = false;  ///< TileBuffer::more_follow
 };
 
 using RenderTask = std::variant<PreviewTask, TileTask>;
@@ -51,19 +53,28 @@ public:
     std::atomic<bool> cancelled{false};
 
     /// Nothing is under way, and nothing will be.
-    [[nodiscard]] bool finished() const { return busy_.empty() && (queue_.empty() || cancelled.load()); }
+    [[nodiscard]] bool finished() const {
+        return busy_.empty() && !awaits_report_ && (queue_.empty() || cancelled.load());
+    }
     [[nodiscard]] bool has_work() const { return !cancelled.load() && !queue_.empty(); }
 
     /// Requires: has_work().
     RenderTask take();
     /// The task ends without a result.
     void drop(const RenderTask& task);
+    /// There is no memory for the task, or for the report after it.
+    void fail_for_memory(const RenderTask& task);
     /// A row of the preview is in the film. After the last of a level comes the next one, if it pays, or the tiles.
     void deliver(const PreviewTask& task, const PreviewStrip& strip, Clock::time_point now);
-    /// A pass is in the film. True if all pixels now have the same number of samples and the error rule wants to know
-    /// the error: then report() must follow before the job goes on.
+    /// A pass is in the film. True if it was the last of a round, and the error rule wants to know the error: then
+    /// report() must follow before the job goes on.
     [[nodiscard]] bool deliver(const TileTask& task, const RenderStatistics& statistics);
-    void report(const PictureError& error);
+    /// Whether the film's pixels are to be sorted into strata for the next report. While that is awaited nothing that
+    /// this reads changes: no lock is needed.
+    [[nodiscard]] bool wants_strata(const PictureError& error) const;
+    /// `strata`: null if not wanted, or sorted before. `errors`: what each adds to the error of the picture.
+    void report(const PictureError& error, std::shared_ptr<const Strata> strata,
+                const std::array<double, most_strata>& errors);
 
     void stop(StopReason reason);
     /// Counts the time since the last look, unless the job was paused or the program suspended; applies the time limit.
@@ -79,7 +90,10 @@ public:
 private:
     [[nodiscard]] double seconds_at(Clock::time_point now) const;
     void queue_preview(int level);
-    void queue_passes(std::uint32_t first_sample);
+    [[nodiscard]] SampleRound first_round() const;
+    void queue_round(SampleRound round);
+    [[nodiscard]] TileTask pass_after(int tile, std::uint32_t sample) const;
+    [[nodiscard]] std::size_t picture_pixels() const;
     void forget(const RenderTask& task);
     [[nodiscard]] std::uint32_t wanted() const { return static_cast<std::uint32_t>(plan->settings.samples_per_pixel); }
 
@@ -91,8 +105,10 @@ private:
     TileImportance importance_;
     int previews_missing_ = 0;  // rows of the level under way
     Clock::time_point level_began_;
-    std::uint32_t next_report_ = 0;  // samples at which all tiles wait for each other; 0: never
-    int tiles_arrived_ = 0;          // there
+    std::shared_ptr<const SampleRound> round_;
+    std::vector<std::uint32_t> tile_strata_;  // by tile: the strata of its pixels, a bit for each
+    int tiles_missing_ = 0;                   // that have passes left in the round
+    bool awaits_report_ = false;
     RenderStatistics statistics_{};
     std::vector<ErrorReport> reports_;
     StopReason reason_ = StopReason::none;

@@ -31,13 +31,12 @@ public:
                 lanes_ = std::make_unique<LaneTracer>(plan);
     }
 
-    RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
-                           TileBuffer& buffer) override {
+    RenderStatistics trace(const SampleSpan& samples, const std::atomic<bool>& cancelled, TileBuffer& buffer) override {
         observer_.flag = &cancelled;
-        const std::size_t pixels = buffer.rect.pixel_count();
+        const std::size_t pixels = buffer.pixel_count();
         const std::size_t wavelengths = plan_.wavelengths_nm.size();
         const std::size_t groups = plan_.groups.size();
-        buffer.samples = last - first;
+        buffer.samples = samples.end - samples.begin;
         buffer.stokes.assign(pixels * wavelengths, {});
         const bool halved = plan_.settings.has_halves() || plan_.kept.halves;
         buffer.odd_minus_even.assign(halved ? pixels * wavelengths : 0, {});
@@ -47,9 +46,9 @@ public:
 
         RenderStatistics statistics;
         if (lanes_)
-            trace_side_by_side(first, last, cancelled, buffer, statistics);
+            trace_side_by_side(samples, cancelled, buffer, statistics);
         else
-            trace_one_by_one(first, last, cancelled, buffer, statistics);
+            trace_one_by_one(samples, cancelled, buffer, statistics);
         return statistics;
     }
 
@@ -79,38 +78,38 @@ public:
     }
 
 private:
-    void trace_one_by_one(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
-                          TileBuffer& buffer, RenderStatistics& statistics) {
-        std::size_t pixel = 0;
-        for (int y = buffer.rect.y0; y < buffer.rect.y1; ++y) {
-            for (int x = buffer.rect.x0; x < buffer.rect.x1; ++x, ++pixel) {
-                if (cancelled.load(std::memory_order_relaxed)) return;
-                for (std::uint32_t index = first; index < last; ++index) {
-                    const auto sample = static_cast<std::uint32_t>(plan_.settings.first_sample()) + index;
-                    for (std::size_t group = 0; group < plan_.groups.size(); ++group) {
-                        const TraceResult result =
-                            trace_light(sample_task(plan_, x, y, sample, static_cast<int>(group)));
-                        add_sample(pixel, group, index, result, light_, buffer, statistics);
-                    }
-                    ++statistics.samples;
+    void trace_one_by_one(const SampleSpan& samples, const std::atomic<bool>& cancelled, TileBuffer& buffer,
+                          RenderStatistics& statistics) {
+        for (std::size_t i = 0; i < buffer.pixel_count(); ++i) {
+            if (cancelled.load(std::memory_order_relaxed)) return;
+            const auto pixel = static_cast<int>(buffer.pixel(i));
+            const int x = buffer.rect.x0 + pixel % buffer.rect.width();
+            const int y = buffer.rect.y0 + pixel / buffer.rect.width();
+            for (std::uint32_t index = samples.begin; index < samples.end; ++index) {
+                const auto sample = static_cast<std::uint32_t>(plan_.settings.first_sample()) + index;
+                for (std::size_t group = 0; group < plan_.groups.size(); ++group) {
+                    const TraceResult result = trace_light(sample_task(plan_, x, y, sample, static_cast<int>(group)));
+                    add_sample(i, group, index, result, light_, buffer, statistics);
                 }
+                ++statistics.samples;
             }
         }
     }
 
     /// In parts, so that the results of their samples stay in the cache until they are summed in order.
-    void trace_side_by_side(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
-                            TileBuffer& buffer, RenderStatistics& statistics) {
+    void trace_side_by_side(const SampleSpan& span, const std::atomic<bool>& cancelled, TileBuffer& buffer,
+                            RenderStatistics& statistics) {
         constexpr std::size_t samples_at_once = 2048;
-        const std::size_t pixels = buffer.rect.pixel_count();
-        const std::size_t part = std::max<std::size_t>(1, samples_at_once / (last - first));
+        const std::size_t pixels = buffer.pixel_count();
+        const std::size_t part = std::max<std::size_t>(1, samples_at_once / buffer.samples);
         const KeepGoing keep_going = [&](std::size_t) { return !cancelled.load(std::memory_order_relaxed); };
         LaneSamples samples;
         samples.x0 = buffer.rect.x0;
         samples.y0 = buffer.rect.y0;
-        samples.tile_width = buffer.rect.x1 - buffer.rect.x0;
-        samples.first_sample = static_cast<std::uint32_t>(plan_.settings.first_sample()) + first;
-        samples.samples = last - first;
+        samples.tile_width = buffer.rect.width();
+        samples.listed = buffer.pixels;
+        samples.first_sample = static_cast<std::uint32_t>(plan_.settings.first_sample()) + span.begin;
+        samples.samples = buffer.samples;
         for (std::size_t pixel = 0; pixel < pixels; pixel += part) {
             samples.first_pixel = pixel;
             samples.pixels = std::min(part, pixels - pixel);
@@ -119,7 +118,7 @@ private:
                 if (!lanes_->trace(samples, keep_going)) return;
                 std::size_t number = 0;
                 for (std::size_t i = 0; i < samples.pixels; ++i)
-                    for (std::uint32_t index = first; index < last; ++index, ++number)
+                    for (std::uint32_t index = span.begin; index < span.end; ++index, ++number)
                         add_sample(pixel + i, group, index, lanes_->result(number), lanes_->light(number), buffer,
                                    statistics);
             }

@@ -10,6 +10,7 @@
 #include "plan/plan.h"
 #include "render/preview.h"
 #include "render/render_progress.h"
+#include "render/sample_round.h"
 
 namespace pol {
 
@@ -17,9 +18,9 @@ namespace pol {
 class PassTracer {
 public:
     virtual ~PassTracer() = default;
-    /// Traces samples first..last-1, counted from 0 at RenderSettings::first_sample(), of every pixel of buffer.rect
-    /// into the buffer. Returns early, with a buffer of no use, once `cancelled` is set.
-    virtual RenderStatistics trace(std::uint32_t first, std::uint32_t last, const std::atomic<bool>& cancelled,
+    /// Traces samples of the pixels of the buffer into it. Returns early, with a buffer of no use, once `cancelled` is
+    /// set.
+    virtual RenderStatistics trace(const SampleSpan& samples, const std::atomic<bool>& cancelled,
                                    TileBuffer& buffer) = 0;
     /// Traces strip.row of the preview, a sample per block. Returns early, like trace().
     virtual void preview(const PreviewGrid& grid, const std::atomic<bool>& cancelled, PreviewStrip& strip) = 0;

@@ -140,12 +140,19 @@ void Renderer::render(PassTracer& tracer, const Work& work) {
                        TileBuffer buffer;
                        buffer.generation = job.generation;
                        buffer.rect = job.tiles[static_cast<std::size_t>(task.tile)];
-                       const RenderStatistics statistics =
-                           tracer.trace(task.first_sample, task.last_sample, job.cancelled, buffer);
+                       buffer.pixels = task.round->pixels_of(task.samples, buffer.rect);
+                       buffer.more_follow = task.more_follow;
+                       const RenderStatistics statistics = tracer.trace(task.samples, job.cancelled, buffer);
                        if (job.cancelled.load() || !film_.merge(buffer)) return drop();  // half a tile is no tile
-                       const std::scoped_lock lock(mutex_);
+                       std::unique_lock lock(mutex_);
                        job.look(Clock::now());
-                       if (job.deliver(task, statistics)) job.report(film_.status().error);
+                       if (!job.deliver(task, statistics)) return;
+                       lock.unlock();
+                       const PictureError error = film_.status().error;
+                       auto strata = job.wants_strata(error) ? film_.stratify(job.generation) : nullptr;
+                       const auto errors = film_.stratum_errors(job.generation);
+                       lock.lock();
+                       job.report(error, std::move(strata), errors);
                    },
                },
                work.task);
@@ -166,8 +173,7 @@ void Renderer::work(const std::stop_token& shutdown) {
             render(*tracer, work);
         } catch (const std::bad_alloc&) {
             const std::scoped_lock lock(mutex_);
-            work.job->drop(work.task);
-            work.job->stop(StopReason::memory);
+            work.job->fail_for_memory(work.task);
         }
         changed_.notify_all();
         if (wake_) wake_();

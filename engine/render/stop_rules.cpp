@@ -6,14 +6,19 @@
 
 namespace pol {
 
+bool is_enough_to_judge(double samples, std::size_t pixels) {
+    return samples >= 16.0 || samples * static_cast<double>(pixels) >= 65536.0;
+}
+
 std::optional<double> sampling_limit(const ErrorReport& report) {
     const PictureError& error = report.error;
     if (!error.random_samples) return error.sampling;
-    if (!error.sampling || report.samples < fewest_samples_to_stop) return std::nullopt;
+    if (!error.sampling || report.look == 0) return std::nullopt;
     constexpr double alpha = 0.05;
-    const double look = std::ceil(std::log2(static_cast<double>(report.samples) / fewest_samples_to_stop)) + 1.0;
+    const double look = report.look;
     const double z = std::sqrt(2.0 * std::log(look * (look + 1.0) / (2.0 * alpha)));
-    return *error.sampling * std::sqrt(1.0 + 2.0 * z * error.sampling_spread);
+    const double deviations = z * error.sampling_spread;
+    return *error.sampling * std::sqrt(std::max(1.0 + 2.0 * deviations, std::exp(2.0 * deviations / std::sqrt(3.0))));
 }
 
 bool has_fallen(ErrorPart part, const ErrorReport& report, const ErrorGoal& goal) {

@@ -3,6 +3,7 @@
 // untraced; these rules end it earlier.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -16,8 +17,9 @@ struct StopRules {
     /// Seconds of rendering; pauses and a suspended program do not count.
     std::optional<double> seconds;
     /// Largest error of the picture, relative to it: the bound of truncation and the confidence limit of sampling
-    /// (sampling_limit) must each fall to its share of it (cheapest_goal). Looked at when all pixels have the same
-    /// number of samples, a power of two, so that the picture does not depend on threads and clocks.
+    /// (sampling_limit) must each fall to its share of it (cheapest_goal). Looked at between rounds, in which samples
+    /// go where they take most of the error away (SampleRound), so that the picture does not depend on threads and
+    /// clocks.
     std::optional<double> error;
 };
 
@@ -34,15 +36,18 @@ enum class StopReason {
 
 enum class ErrorPart { truncation, sampling };
 
-/// The error when every pixel had this many samples.
+/// The error after a round of samples.
 struct ErrorReport {
-    std::uint32_t samples = 0;
+    double samples = 0.0;  ///< per pixel, mean
     double seconds = 0.0;  ///< of rendering since the start of the job
     PictureError error{};
+    /// Looks at which sampling was judged, this one included; 0: not yet (is_enough_to_judge).
+    int look = 0;
 };
 
-/// Below this many samples sampling is not judged: a bright spot that most pixels miss with all of them would not show.
-inline constexpr std::uint32_t fewest_samples_to_stop = 16;
+/// Whether sampling may be judged after so many samples per pixel: 16, or 65 536 in the picture. A bright spot that all
+/// of them miss does not show; with 65 536 it covers less than 1/20 000 of the picture (95 %).
+bool is_enough_to_judge(double samples, std::size_t pixels);
 
 /// So many samples per pixel without any light are enough.
 inline constexpr std::uint32_t most_dark_samples = 4096;
@@ -52,13 +57,15 @@ inline constexpr std::uint32_t most_dark_samples = 4096;
 ///
 /// Who looks again and again, and stops at the first low estimate, stops at a lucky one (P. Armitage, C. McPherson, B.
 /// Rowe, "Repeated significance tests on accumulating data", J. R. Stat. Soc. A 132, 1969). Hence the looks are few,
-/// one per doubling, and each may err with its own probability, alpha / (j (j + 1)) for the j-th, which over all looks
-/// is alpha = 5 % (K. Lan, D. DeMets, "Discrete sequential boundaries for clinical trials", Biometrika 70, 1983),
-/// however they depend on each other. Error and estimate are two independent sums over pixels of the same mean and
-/// variance: their difference has the standard deviation sqrt(2) sampling_spread sampling^2, and its normal deviate z
-/// is taken from P(Z > z) <= exp(-z^2 / 2) / 2. Sums of few squares are more skewed than normal numbers: hence 2 in
-/// place of sqrt(2). Where three pixels make the error (a small lamp behind a cube) the limit holds in 94.5 % of 200
-/// seeds; of eight scenes at fourteen errors 99.5 % or more of the pictures end below E
+/// one per quarter of the samples more, and each may err with its own probability, alpha / (j (j + 1)) for the j-th,
+/// which over all looks is alpha = 5 % (K. Lan, D. DeMets, "Discrete sequential boundaries for clinical trials",
+/// Biometrika 70, 1983), however they depend on each other. Error and estimate are two independent sums over pixels of
+/// the same mean and variance: their difference has the standard deviation sqrt(2) sampling_spread sampling^2, and its
+/// normal deviate z is taken from P(Z > z) <= exp(-z^2 / 2) / 2. Sums of few squares are more skewed than normal
+/// numbers: hence 2 in place of sqrt(2), and where that is more, what the quotient of two sums of nu squares each says,
+/// whose logarithm is nearly normal of the variance 4/nu (R. A. Fisher, "On a distribution yielding the error functions
+/// of several well known statistics", Proc. Int. Congress of Mathematicians, Toronto 1924), with nu = 3 /
+/// sampling_spread^2. Of ten scenes at sixteen errors 95 % or more of the pictures end below E
 /// (tests/bench/error_stop_seeds.cpp). A picture of a few pixels tells too little: halves that agree by chance look
 /// like no error.
 std::optional<double> sampling_limit(const ErrorReport& report);

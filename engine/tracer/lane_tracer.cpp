@@ -38,7 +38,8 @@ LaneTracer::LaneTracer(PlanForKernel<false, false> plan)
 }
 
 LaneTracer::Place LaneTracer::place(std::size_t number) const {
-    const auto pixel = static_cast<int>(samples_.first_pixel + number / samples_.samples);
+    const std::size_t index = samples_.first_pixel + number / samples_.samples;
+    const auto pixel = static_cast<int>(samples_.listed.empty() ? index : samples_.listed[index]);
     return {samples_.x0 + pixel % samples_.tile_width, samples_.y0 + pixel / samples_.tile_width,
             samples_.first_sample + static_cast<std::uint32_t>(number % samples_.samples)};
 }

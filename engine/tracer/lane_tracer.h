@@ -24,6 +24,7 @@ struct LaneSamples {
     int x0 = 0;
     int y0 = 0;
     int tile_width = 1;
+    std::span<const std::uint32_t> listed;  ///< which pixels of the tile first_pixel counts; empty: all
     std::size_t first_pixel = 0;
     std::size_t pixels = 0;
     std::uint32_t first_sample = 0;

@@ -27,7 +27,7 @@ void trace_picture(benchmark::State& state, const std::string& name, Follow foll
     TileBuffer buffer;
     buffer.rect = {0, 0, plan->settings.width, plan->settings.height};
     std::uint64_t samples = 0;
-    for (auto _ : state) samples += tracer->trace(0, 16, cancelled, buffer).samples;
+    for (auto _ : state) samples += tracer->trace({0, 16}, cancelled, buffer).samples;
     state.SetItemsProcessed(static_cast<std::int64_t>(samples));
 }
 BENCHMARK_CAPTURE(trace_picture, g1_one_by_one, "g1", Follow::one_by_one);

@@ -45,7 +45,7 @@ void engine_over_hand_written(benchmark::State& state) {
     double hand_written_s = 0.0;
     for (auto _ : state) {
         double begin = cpu_seconds();
-        tracer->trace(0, 1, cancelled, buffer);
+        tracer->trace({0, 1}, cancelled, buffer);
         const double engine = cpu_seconds() - begin;
         begin = cpu_seconds();
         const std::vector<Stokes<double>> picture = one_box_picture(plan->camera, width, height);

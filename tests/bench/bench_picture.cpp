@@ -88,7 +88,7 @@ void draw_map(benchmark::State& state) {
 BENCHMARK(draw_map)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
-    ->ArgsProduct({benchmark::CreateDenseRange(0, static_cast<int>(Quantity::unphysical), 1), {100}})
+    ->ArgsProduct({benchmark::CreateDenseRange(0, static_cast<int>(Quantity::samples), 1), {100}})
     ->ArgsProduct({{static_cast<int>(Quantity::dop)}, {45, 300}});
 
 }  // namespace

@@ -49,6 +49,8 @@ std::vector<Case> cases() {
         {"crossed-polarizers", area(test::shipped_scene("crossed-polarizers"), 16, 1000), {0.1, 0.2}, 1 << 12},
         {"paper-glass-polarized", area(test::shipped_scene("paper-glass-polarized"), 16, 1000), {0.2}, 1 << 12},
         {"cube-calcite", area(test::shipped_scene("cube-calcite"), 16, 30), {0.2}, 1 << 11},
+        {"g1", area(test::shipped_scene("bench/g1"), 96, 1000), {0.015, 0.03}, 1 << 10},
+        {"glass-ball", area(test::shipped_scene("bench/glass-ball"), 64, 1000), {0.015, 0.03}, 1 << 11},
         {"glan-air", area(test::shipped_scene("glan-air"), 16, 100), {0.1, 0.2}, 1 << 11},
     };
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/units.h"
+#include "io/scenes/picture_attributes.h"
 #include "io/scenes/scene_hash.h"
 #include "scene/node_budget.h"
 
@@ -429,6 +430,17 @@ TEST(SceneHash, ChangesWithEveryValue) {
         edits[i](edited);
         EXPECT_TRUE(hashes.insert(scene_hash(edited)).second) << "edit " << i;
     }
+}
+
+TEST(PictureAttributes, SayHowManySamplesThePixelsHaveNotHowManyWereWanted) {
+    Scene scene;
+    scene.render.samples_per_pixel = 4096;
+    const auto settings = [&](const std::vector<std::uint32_t>& samples) {
+        return " " + picture_attributes(scene, samples, "cube-glass.yaml").at("settings") + " ";
+    };
+    EXPECT_NE(settings({9, 9, 9}).find(" spp=9 "), std::string::npos);
+    EXPECT_NE(settings({4, 512, 8}).find(" spp=4..512 "), std::string::npos);
+    EXPECT_NE(settings({}).find(" spp=4096 "), std::string::npos) << "a picture that does not tell";
 }
 
 }  // namespace

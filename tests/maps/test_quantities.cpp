@@ -27,6 +27,7 @@ StokesImage one_pixel(const Stokes<double>& s, double wavelength_nm = 580.0) {
     image.height = 1;
     image.bands = bands_at({wavelength_nm});
     image.stokes = {s};
+    image.samples = {1};
     return image;
 }
 
@@ -100,6 +101,7 @@ PixelLight some_light() {
     light.missing = 0.02;
     light.surplus = 0.005;
     light.residual = 0.015;
+    light.samples = 16.0;
     light.scale = 1.0;
     return light;
 }
@@ -288,6 +290,20 @@ TEST(Evaluate, IsTheLessCertainTheWiderTheBarUntilNothingIsDetermined) {
     EXPECT_LT(pixel(image, Quantity::s1).certainty, 1e-3);
     image.residual = {0.5001};
     EXPECT_EQ(pixel(image, Quantity::s1).state, PixelState::undetermined);
+}
+
+TEST(Evaluate, SamplesAreThoseOfThePixelWhereItsLightIsSome) {
+    StokesImage image = one_pixel({1.0, 0.5, 0.0, 0.0});
+    image.samples.clear();
+    EXPECT_EQ(pixel(image, Quantity::samples).state, PixelState::not_measured) << "the picture does not tell";
+    image.samples = {4096};
+    EXPECT_EQ(pixel(image, Quantity::samples).value, 4096.0);
+    image.stokes[0] = {};
+    EXPECT_EQ(pixel(image, Quantity::samples).value, 4096.0) << "dark pixels cost samples, too";
+    image.stokes[0] = {1.0, 1.5, 0.0, 0.0};
+    EXPECT_EQ(pixel(image, Quantity::samples).state, PixelState::unphysical);
+    image.stokes[0].s0 = std::nan("");
+    EXPECT_EQ(pixel(image, Quantity::samples).state, PixelState::not_a_number);
 }
 
 TEST(Evaluate, ShowsHowFarAVectorIsFromBeingLight) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "support/render_scene.h"
 
@@ -26,8 +27,8 @@ struct Stopped {
 };
 
 /// Renders until the rule ends it, with finer residuals as it asks for them.
-Stopped render_to(Scene scene, double error, int threads = 2) {
-    Renderer renderer(threads, 16);
+Stopped render_to(Scene scene, double error, int threads = 2, int tile_size = 16) {
+    Renderer renderer(threads, tile_size);
     RenderOptions options;
     options.stop.error = error;
     for (;;) {
@@ -76,12 +77,12 @@ void expect_an_honest_stop(Scene scene, double target, int reference_samples) {
     scene.render.residual = 0.1 * stopped.residual;
     scene.render.samples_per_pixel = reference_samples;
     scene.render.seed = 77;
-    ASSERT_GE(reference_samples, 16 * static_cast<int>(stopped.progress.film.fewest_samples))
-        << "its own error must not count";
+    ASSERT_GE(reference_samples, 16.0 * stopped.progress.film.mean_samples) << "its own error must not count";
     const StokesImage reference = test::render(test::plan_of(scene), 2);
     const Comparison found = compare(stopped.image, reference);
     // Four standard deviations of the ratio of the roots; 5 % for the error of the reference, which has 16 times the
-    // samples of the render: (1/16)^(3/2) of its mean square error with quasi-random samples, 1/16 with random ones.
+    // samples of the mean pixel, and of the others pixels with less error: (1/16)^(3/2) of its mean square error with
+    // quasi-random samples, 1/16 with random ones.
     const double tolerance = 1.05 + 4.0 * 0.5 * found.spread;
     ASSERT_LT(tolerance, 1.5) << "too few pixels to judge";
     EXPECT_LE(found.error, *estimate.sampling * tolerance + estimate.truncation);
@@ -93,21 +94,64 @@ TEST(ErrorStop, GlassIsAsGoodAsItSays) {
     expect_an_honest_stop(small("paper-glass-polarized", 48, 1000), 0.1, 1024);
 }
 
+// Most pixels of a larger picture have four samples, those at edges a hundred times as many.
+TEST(ErrorStop, GlassInStrataIsAsGoodAsItSays) {
+    expect_an_honest_stop(small("bench/g1", 96, 1000), 0.02, 1024);
+}
+
 // Every ray splits in calcite, and one random path stands for most branches: noise of another kind than that of edges.
 TEST(ErrorStop, CalciteIsAsGoodAsItSays) {
     expect_an_honest_stop(small("paper-calcite-unpolarized", 32, 20), 0.2, 1024);
 }
 
-TEST(ErrorStop, APictureThatIsStoppedIsTheOneWithAsManySamples) {
-    const Scene scene = small("paper-glass-polarized", 40, 1000);
-    const Stopped one = render_to(scene, 0.2, 1);
-    const Stopped three = render_to(scene, 0.2, 3);
+/// True if each pixel is, to the bit, that of the picture in which all pixels have as many samples. Says how many
+/// different numbers there are.
+void expect_pixels_of_plain_pictures(const StokesImage& image, Scene scene, std::size_t fewest_numbers) {
+    const std::set<std::uint32_t> numbers(image.samples.begin(), image.samples.end());
+    EXPECT_GE(numbers.size(), fewest_numbers);
+    for (const std::uint32_t samples : numbers) {
+        scene.render.samples_per_pixel = static_cast<int>(samples);
+        const StokesImage plain = test::render(scene);
+        for (std::size_t p = 0; p < image.pixel_count(); ++p) {
+            if (image.samples[p] != samples) continue;
+            ASSERT_EQ(image.at(0, p), plain.at(0, p)) << "pixel " << p << " with " << samples << " samples";
+            ASSERT_EQ(image.sampling_error[p], plain.sampling_error[p]);
+            ASSERT_EQ(image.residual[p], plain.residual[p]);
+        }
+    }
+}
+
+TEST(ErrorStop, APixelIsTheOneOfAPictureWithAsManySamples) {
+    const Scene scene = small("paper-glass-polarized", 96, 1000);
+    const Stopped one = render_to(scene, 0.04, 1);
+    const Stopped three = render_to(scene, 0.04, 3, 7);
     EXPECT_EQ(one.image.stokes, three.image.stokes);
     EXPECT_EQ(one.image.sampling_error, three.image.sampling_error);
+    EXPECT_EQ(one.image.samples, three.image.samples);
     Scene plain = scene;
     plain.render.residual = one.residual;
-    plain.render.samples_per_pixel = static_cast<int>(one.progress.film.fewest_samples);
-    EXPECT_EQ(test::render(plain).stokes, one.image.stokes);
+    expect_pixels_of_plain_pictures(one.image, plain, 3);
+}
+
+// Calcite is followed one branch at a time, glass several side by side: the same pixels are listed to both.
+TEST(ErrorStop, APixelOfACrystalIsTheOneOfAPictureWithAsManySamples) {
+    const Scene scene = small("paper-calcite-unpolarized", 64, 12);
+    const Stopped stopped = render_to(scene, 0.1, 2, 7);
+    Scene plain = scene;
+    plain.render.residual = stopped.residual;
+    expect_pixels_of_plain_pictures(stopped.image, plain, 2);
+}
+
+// No pixel gets more than were asked for, and where they do not suffice all have them in the end.
+TEST(ErrorStop, WhereSamplesEndFirstEveryPixelHasThem) {
+    Scene scene = small("paper-glass-polarized", 24, 1000);
+    scene.render.samples_per_pixel = 11;
+    const Stopped stopped = render_to(scene, 0.01);
+    EXPECT_EQ(stopped.progress.reason, StopReason::samples);
+    for (const std::uint32_t samples : stopped.image.samples) ASSERT_EQ(samples, 11U);
+    Scene plain = scene;
+    plain.render.residual = stopped.residual;
+    EXPECT_EQ(test::render(plain).stokes, stopped.image.stokes);
 }
 
 // Whoever stops at a low estimate stops at a lucky one. A rainbow's caustic lies on a few pixels, which make nearly all
@@ -176,9 +220,10 @@ TEST(ErrorStop, ThePictureThatStaysBlackEnds) {
     for (const Stokes<double>& s : stopped.image.stokes) ASSERT_EQ(s.s0, 0.0);
 }
 
-ErrorReport report(std::uint32_t samples, double truncation, std::optional<double> sampling) {
+ErrorReport report(double samples, double truncation, std::optional<double> sampling) {
     ErrorReport report;
     report.samples = samples;
+    report.look = samples >= 16.0 ? 1 : 0;
     report.error.random_samples = true;
     report.error.truncation = truncation;
     report.error.sampling = sampling;
@@ -222,20 +267,30 @@ TEST(ErrorStop, EachPartMayTakeItsShare) {
     EXPECT_EQ(judge(point, half), StopReason::error) << "random paths are within the bound";
 }
 
-// One pixel with all of the error: its variance is known to 100 %. z = sqrt(2 ln 20) at the first look, where 2.5 % may
-// be wrong, and sqrt(2 ln 60) at the second, where it is a third of that.
+// z = sqrt(2 ln 20) at the first look, where 2.5 % may be wrong, and sqrt(2 ln 60) at the second, where it is a third
+// of that. Many pixels: 1 + 2 z spread. One with all of the error, its variance known to 100 %: exp(2 z / sqrt(3)).
 TEST(ErrorStop, ALimitIsWiderWhereFewPixelsTellItAndAtEveryLook) {
     ErrorReport one = report(16, 0.0, 0.1);
     EXPECT_DOUBLE_EQ(sampling_limit(one).value(), 0.1) << "spread over endless pixels";
+    const double first = std::sqrt(2.0 * std::log(20.0));
+    const double second = std::sqrt(2.0 * std::log(60.0));
+    one.error.sampling_spread = 0.1;
+    EXPECT_NEAR(sampling_limit(one).value(), 0.1 * std::sqrt(1.0 + 0.2 * first), 1e-12);
+    one.look = 2;
+    EXPECT_NEAR(sampling_limit(one).value(), 0.1 * std::sqrt(1.0 + 0.2 * second), 1e-12);
     one.error.sampling_spread = 1.0;
-    EXPECT_NEAR(sampling_limit(one).value(), 0.1 * std::sqrt(1.0 + 2.0 * std::sqrt(2.0 * std::log(20.0))), 1e-12);
-    one.samples = 24;  // all that were asked for
-    const double second = sampling_limit(one).value();
-    one.samples = 32;
-    EXPECT_EQ(sampling_limit(one).value(), second);
-    EXPECT_NEAR(second, 0.1 * std::sqrt(1.0 + 2.0 * std::sqrt(2.0 * std::log(60.0))), 1e-12);
-    one.samples = 8;
+    EXPECT_NEAR(sampling_limit(one).value(), 0.1 * std::exp(second / std::sqrt(3.0)), 1e-12);
+    one.look = 0;
     EXPECT_FALSE(sampling_limit(one));
+}
+
+// What 65 536 samples all miss is seen by less than 1 of 20 000 of them: (1 - 1/20000)^65536 = 3.8 %.
+TEST(ErrorStop, SamplesOfTheWholePictureCountAgainstWhatAllOfThemMiss) {
+    EXPECT_FALSE(is_enough_to_judge(15.9, 256));
+    EXPECT_TRUE(is_enough_to_judge(16.0, 1));
+    EXPECT_FALSE(is_enough_to_judge(4.0, 16000));
+    EXPECT_TRUE(is_enough_to_judge(4.0, 16384));
+    EXPECT_LT(std::pow(1.0 - 1.0 / 20000.0, 65536.0), 0.05);
 }
 
 TEST(ErrorStop, ThePartThatStayedTooLargeTheLongestFellLast) {

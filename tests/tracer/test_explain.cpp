@@ -62,7 +62,7 @@ TEST_P(ExplainedScene, AnySampleOfAnAreaPictureIsExplainedToTheLastBit) {
     for (const std::uint32_t sample : {1U, 2U, 5U, 64U}) {
         TileBuffer buffer;
         buffer.rect = {2, 3, 5, 6};
-        tracer->trace(sample - 1, sample, never, buffer);  // passes count from 0
+        tracer->trace({sample - 1, sample}, never, buffer);  // passes count from 0
         std::size_t i = 0;
         for (int y = 3; y < 6; ++y)
             for (int x = 2; x < 5; ++x, ++i) {

@@ -30,7 +30,7 @@ PassResult pass(const Plan& plan, Follow follow) {
     const std::atomic<bool> cancelled{false};
     const int samples = plan.settings.mode == SampleMode::area ? plan.settings.samples_per_pixel : 1;
     result.statistics =
-        make_pass_tracer(plan, follow)->trace(0, static_cast<std::uint32_t>(samples), cancelled, result.buffer);
+        make_pass_tracer(plan, follow)->trace({0, static_cast<std::uint32_t>(samples)}, cancelled, result.buffer);
     return result;
 }
 

@@ -21,7 +21,9 @@ LightFloats light_floats(const ShownPicture& shown, std::size_t wavelength, cons
             const bool is_preview = !picture.residual.empty() && light.residual < 1.0;
             const bool is_known = picture.samples.empty() || picture.samples[pixel] > 0 || is_preview;
             floats.stokes.push_back(to_single(s.s0, s.s1, s.s2, s.s3));
-            floats.left_out.push_back(to_single(light.residual, light.surplus, unphysical_part(light),
+            const double unphysical = unphysical_part(light);
+            floats.left_out.push_back(to_single(light.residual, light.surplus,
+                                                unphysical == 0.0 ? std::max(light.samples, 0.0) : -unphysical,
                                                 is_known ? pixel_noise * light.scale : -1.0));
         }
     }

@@ -29,8 +29,9 @@ inline Float4 to_single(double a, double b, double c, double d) {
 /// One wavelength of a part of the picture, row by row.
 struct LightFloats {
     std::vector<Float4> stokes;  ///< S0, S1, S2, S3
-    std::vector<Float4>
-        left_out;  ///< residual, S0 of the tail, unphysical_part, S0 that is no light; -1: no sample yet
+    /// Residual, S0 of the tail, samples of the pixel (0: not known) or, if its light is none, minus its
+    /// unphysical_part; S0 that is no light, -1: no sample yet.
+    std::vector<Float4> left_out;
 };
 LightFloats light_floats(const ShownPicture& shown, std::size_t wavelength, const TileRect& rect);
 

@@ -198,18 +198,17 @@ void export_snapshot(Session& session) {
     const fs::path path = free_export_path(session, stem_of(*document), ".exr");
     std::optional<Scene> scene;
     if (document->has_scene()) scene = document->scene();
-    session.start_export(
-        "EXR snapshot", path,
-        [lent = document->lend_picture(), scene = std::move(scene), name = document->name(),
-         path](ExportProgress& progress) mutable -> Result<Done> {
-            StokesImage image = *lent;
-            lent.reset();
-            if (scene) {
-                forget_preview(image);
-                image.attributes.merge(picture_attributes(*scene, scene->render.samples_per_pixel, name));
-            }
-            return write_exr(image, path, [&](double share) { progress = share; });
-        });
+    session.start_export("EXR snapshot", path,
+                         [lent = document->lend_picture(), scene = std::move(scene), name = document->name(),
+                          path](ExportProgress& progress) mutable -> Result<Done> {
+                             StokesImage image = *lent;
+                             lent.reset();
+                             if (scene) {
+                                 forget_preview(image);
+                                 image.attributes.merge(picture_attributes(*scene, image.samples, name));
+                             }
+                             return write_exr(image, path, [&](double share) { progress = share; });
+                         });
 }
 
 fs::path export_map(Session& session) {

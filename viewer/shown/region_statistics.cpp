@@ -41,12 +41,14 @@ RegionStatistics region_statistics(const ShownPicture& picture, std::size_t band
     RegionStatistics found;
     PixelLight& mean = found.mean;
     mean.known = picture.known(band);
+    mean.samples = 0.0;
     for_each_light(picture, band, region, [&](const PixelLight& light) {
         ++found.count;
         mean.stokes += light.stokes;
         mean.missing += light.missing;
         mean.surplus += light.surplus;
         mean.residual += light.residual;
+        mean.samples += light.samples;
         mean.scale = light.scale;
         mean.peak = light.peak;
         mean.rounding = light.rounding;
@@ -57,6 +59,7 @@ RegionStatistics region_statistics(const ShownPicture& picture, std::size_t band
     const double share = 1.0 / static_cast<double>(found.count);
     mean.stokes = share * mean.stokes;
     mean.missing *= share;
+    mean.samples *= share;
     mean.surplus *= share;
     mean.residual *= share;
     if (found.count == 1) return found;

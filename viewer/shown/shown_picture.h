@@ -29,6 +29,7 @@ public:
     [[nodiscard]] PixelLight mean_light(std::size_t band, const TileRect& rect) const {
         PixelLight mean;
         mean.known = picture_.bands[band].known;
+        mean.samples = 0.0;
         for (int y = rect.y0; y < rect.y1; ++y) {
             for (int x = rect.x0; x < rect.x1; ++x) {
                 const PixelLight light = pixel_light(picture_, band, picture_.pixel(x, y));
@@ -36,6 +37,7 @@ public:
                 mean.missing += light.missing;
                 mean.surplus += light.surplus;
                 mean.residual += light.residual;
+                mean.samples += light.samples;
                 mean.scale = light.scale;
                 mean.peak = light.peak;
                 mean.rounding = light.rounding;
@@ -48,12 +50,14 @@ public:
         mean.missing *= share;
         mean.surplus *= share;
         mean.residual *= share;
+        mean.samples *= share;
         return labeled(mean);
     }
     /// Whether the picture tells all that a map of the band needs.
     [[nodiscard]] bool measures(Quantity quantity, std::size_t band) const {
         const QuantityInfo& about = info(quantity);
-        return known(band).has(about.needs) && !(about.is_of_bounds() && picture_.residual.empty());
+        return known(band).has(about.needs) && !(about.is_of_bounds() && picture_.residual.empty()) &&
+               !(quantity == Quantity::samples && picture_.samples.empty());
     }
     /// Those of a band that are known on screen.
     [[nodiscard]] StokesComponents known(std::size_t band) const {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "core/overloaded.h"
@@ -34,14 +35,18 @@ std::string attribute_text(const RenderSetting& setting, const RenderSettings& s
 
 }  // namespace
 
-std::map<std::string, std::string> picture_attributes(const Scene& scene, int samples_per_pixel,
+std::map<std::string, std::string> picture_attributes(const Scene& scene, std::span<const std::uint32_t> samples,
                                                       const std::filesystem::path& file) {
+    const auto [fewest, most] = std::minmax_element(samples.begin(), samples.end());
     RenderSettings made = scene.render;
-    made.samples_per_pixel = samples_per_pixel;
+    if (!samples.empty()) made.samples_per_pixel = static_cast<int>(*fewest);
     made.node_budget = node_budget_in_force(scene);
     std::string settings;
     for (const RenderSetting& setting : render_settings()) {
-        const std::string text = attribute_text(setting, made);
+        std::string text = attribute_text(setting, made);
+        const auto* whole = std::get_if<WholeSetting>(&setting.kind);
+        const bool is_samples = whole != nullptr && whole->value == &RenderSettings::samples_per_pixel;
+        if (is_samples && !samples.empty() && *fewest != *most) text += fmt::format("..{}", *most);
         if (!text.empty()) settings.append(settings.empty() ? "" : " ").append(text);
     }
     return {{"scene", file.filename().string()}, {"scene_hash", scene_hash(scene)}, {"settings", settings}};
