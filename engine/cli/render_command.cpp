@@ -45,6 +45,17 @@ double cpu_seconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+/// Takes the place of the plan of a scene whose residual must be finer.
+Result<Done> refine(Scene& scene, std::shared_ptr<const Plan>& plan, double residual, bool quiet) {
+    if (!quiet)
+        remark(fmt::format("too much light is untraced: residual {:.3g} instead of {:.3g}\n", residual,
+                           scene.render.residual));
+    scene.render.residual = residual;
+    POL_TRY(auto finer_plan, compile(scene));
+    plan = std::move(finer_plan);
+    return Done{};
+}
+
 /// Renders until the samples are there, a rule ends it, or a signal comes. Starts over with a finer residual as long as
 /// the error rule finds too much light untraced: then `plan` becomes the finer one.
 Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& request, Scene& scene,
@@ -54,6 +65,10 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
     RenderOutcome outcome;
     outcome.open_ended = open_ended;
     bool goal_told = request.quiet;
+    if (request.error) {
+        const double residual = residual_for(*plan, cheapest_goal(*plan, *request.error));
+        if (residual < scene.render.residual) POL_TRY_DONE(refine(scene, plan, residual, request.quiet));
+    }
     for (;;) {
         RenderOptions options;
         options.stop.error = request.error;
@@ -84,12 +99,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
 
         const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *progress.goal);
         if (!finer || (request.seconds && outcome.seconds >= *request.seconds)) return outcome;
-        if (!request.quiet)
-            remark(fmt::format("too much light is untraced: residual {:.3g} instead of {:.3g}\n", *finer,
-                               scene.render.residual));
-        scene.render.residual = *finer;
-        POL_TRY(auto finer_plan, compile(scene));
-        plan = std::move(finer_plan);
+        POL_TRY_DONE(refine(scene, plan, *finer, request.quiet));
     }
 }
 

@@ -31,6 +31,11 @@ struct TileRect {
     friend bool operator==(const TileRect&, const TileRect&) = default;
 };
 
+/// Whether they have a pixel in common.
+inline bool meet(const TileRect& a, const TileRect& b) {
+    return std::max(a.x0, b.x0) < std::min(a.x1, b.x1) && std::max(a.y0, b.y0) < std::min(a.y1, b.y1);
+}
+
 /// The tiles of a picture, row by row; those at the right and lower border may be smaller than `size`.
 inline std::vector<TileRect> cut_tiles(int width, int height, int size) {
     std::vector<TileRect> tiles;

@@ -22,4 +22,9 @@ struct ErrorGoal {
 /// changes; all of it in mode point, which samples nothing.
 ErrorGoal cheapest_goal(const Plan& plan, double error);
 
+/// Residual (RenderSettings) at which truncation should be below its share of the goal, at most the plan's own: from
+/// as many trees. The plan's own where none is found: the trees meet no light, or no residual changes them. A guess
+/// that saves a first round; the rule judges by the whole picture (finer_residual).
+double residual_for(const Plan& plan, const ErrorGoal& goal);
+
 }  // namespace pol

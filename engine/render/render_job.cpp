@@ -77,10 +77,16 @@ TileTask RenderJob::pass_after(int tile, std::uint32_t sample) const {
     return pass;
 }
 
-RenderTask RenderJob::take() {
+RenderTask RenderJob::take(const TileRect& seen) {
     POL_EXPECTS(!queue_.empty());
-    busy_.push_back(queue_.front());
-    queue_.pop_front();
+    const auto is_seen = [&](const RenderTask& task) {
+        const auto* pass = std::get_if<TileTask>(&task);
+        return pass != nullptr && meet(tiles[static_cast<std::size_t>(pass->tile)], seen);
+    };
+    auto next = std::find_if(queue_.begin(), queue_.end(), is_seen);
+    if (next == queue_.end()) next = queue_.begin();
+    busy_.push_back(std::move(*next));
+    queue_.erase(next);
     return busy_.back();
 }
 

@@ -58,8 +58,8 @@ public:
     }
     [[nodiscard]] bool has_work() const { return !cancelled.load() && !queue_.empty(); }
 
-    /// Requires: has_work().
-    RenderTask take();
+    /// The next task; of passes those first that somebody sees, of tiles that meet `seen`. Requires: has_work().
+    RenderTask take(const TileRect& seen = {});
     /// The task ends without a result.
     void drop(const RenderTask& task);
     /// There is no memory for the task, or for the report after it.

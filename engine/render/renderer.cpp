@@ -75,6 +75,11 @@ void Renderer::cancel() {
     changed_.notify_all();
 }
 
+void Renderer::look_at(const TileRect& seen) {
+    const std::scoped_lock lock(mutex_);
+    seen_ = seen;
+}
+
 void Renderer::pause() {
     const std::scoped_lock lock(mutex_);
     if (!job_) return;
@@ -116,7 +121,7 @@ Renderer::Work Renderer::next(const std::stop_token& shutdown) {
     std::unique_lock lock(mutex_);
     const bool ready = changed_.wait(lock, shutdown, [this] { return job_ && !job_->paused() && job_->has_work(); });
     if (!ready) return {};
-    return {job_, job_->take()};
+    return {job_, job_->take(seen_)};
 }
 
 /// Traces one task and hands the result to the film and the job.

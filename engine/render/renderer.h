@@ -44,6 +44,10 @@ public:
     /// Ends the current job; what is finished stays in the film. Workers stop within one interface of each other.
     void cancel();
 
+    /// From now on passes over the part of the picture that somebody looks at come first, in this and later jobs: what
+    /// else there is to do in a round waits. The finished picture does not depend on it.
+    void look_at(const TileRect& seen);
+
     /// Stops handing out tiles until resume().
     void pause();
     void resume();
@@ -79,6 +83,7 @@ private:
     std::condition_variable_any changed_;
     std::condition_variable_any clock_;  // a job begins or goes on
     std::shared_ptr<RenderJob> job_;
+    TileRect seen_{};
     Generation generation_ = 0;
     std::vector<std::jthread> threads_;  // the workers, and who keeps the time
 };

@@ -3,7 +3,8 @@
 
 Both programs render the same scenes with one thread and take turns. Per scene, from all seeds: CPU seconds and error
 at the largest setting that both were given, squared error x CPU seconds (lower is better), and how often the new program's CPU
-time to a given error goes into the old one's, on the curves through all settings; ~ is extrapolated. The truth is rendered once, by the
+time to a given error goes into the old one's, on the curves through all settings; ~ is extrapolated. In mode area so, too, where the
+new program is told errors (--error) instead of samples, and gives them to the pixels that need them: "aimed". The truth is rendered once, by the
 new program with many samples, and kept in FOLDER/references until that is deleted.
 """
 
@@ -18,6 +19,7 @@ from error_curves import ROOT, Color, Frobenius, Polariscope, Runner, climb, med
 
 SCENES = ROOT / "assets/scenes"
 SAMPLES = [["--spp", 2**power] for power in range(1, 13)]
+AIMS = [["--error", float(f"{0.4 * 2 ** (-step / 2):.2g}")] for step in range(18)]
 
 
 @dataclass
@@ -60,7 +62,7 @@ def compare(row, old, new, arguments):
     colors = ["--wavelengths", ",".join(map(str, row.color))] if row.color else []
     reference = new.reference(arguments.folder / "references", measure, scene, size, samples, row.mode, colors)
 
-    def runner_of(program, folder):
+    def runner_of(program, folder, ladder):
         theirs = folder / f"{row.scene}.yaml"
 
         def run(setting, seed):
@@ -68,10 +70,12 @@ def compare(row, old, new, arguments):
             stats = program.render(theirs if theirs.exists() else scene, options, seed)
             return reference.error_of(program.picture()), stats["t_render_cpu_s"]
 
-        return Runner(row.ladder, 2, run)
+        return Runner(ladder, 2, run)
 
     target = (row.error or 0.0) * (2 if arguments.quick else 1)
-    runners = {"old": runner_of(old, arguments.old_scenes), "new": runner_of(new, SCENES)}
+    runners = {"old": runner_of(old, arguments.old_scenes, row.ladder), "new": runner_of(new, SCENES, row.ladder)}
+    if row.mode == "area":
+        runners["aimed"] = runner_of(new, SCENES, AIMS)
     curves = climb(runners, range(1, arguments.seeds + 1), target, arguments.longest)
     middle = {name: median_curve(each) for name, each in curves.items()}
     shared = [(a, b) for a in middle["old"].points for b in middle["new"].points if a.setting == b.setting]
@@ -86,6 +90,10 @@ def compare(row, old, new, arguments):
         line |= {"old_variance_s": middle["old"].variance_seconds(), "new_variance_s": middle["new"].variance_seconds(), "at": target,
                  "old_s_at": middle["old"].seconds_at(target)[0], "new_s_at": middle["new"].seconds_at(target)[0],
                  "ratio": ratio, "least": least, "most": most, "extrapolated": guessed}
+    if target and middle["old"].points and "aimed" in middle and middle["aimed"].points:
+        ratio, least, most, guessed = ratio_at(target, curves["old"], curves["aimed"])
+        line |= {"aimed_s_at": middle["aimed"].seconds_at(target)[0], "aimed_ratio": ratio, "aimed_least": least, "aimed_most": most,
+                 "aimed_extrapolated": guessed}
     return line
 
 
@@ -100,19 +108,22 @@ def two_threads(program, size):
 
 
 HEADS = f"{'':22} {'setting':>16} {'CPU s old':>10} {'new':>8} {'error old':>10} {'new':>8} {'err2 x s old':>13} {'new':>8} " \
-        f"{'at error':>9} {'CPU s old':>10} {'new':>8} {'old / new':>10}"
+        f"{'at error':>9} {'CPU s old':>10} {'new':>8} {'old / new':>22} {'aimed':>8} {'old / aimed':>22}"
 
 
 def text_of(line):
     def number(key, width):
         return f"{line[key]:{width}.2g}" if key in line else "-".rjust(width)
 
-    ratio = "-"
-    if "ratio" in line:
-        ratio = f"{'~' if line['extrapolated'] else ''}{line['ratio']:.3g} ({line['least']:.3g} to {line['most']:.3g})"
+    def ratio(kind):
+        if f"{kind}ratio" not in line:
+            return "-".rjust(22)
+        guessed = "~" if line[f"{kind}extrapolated"] else ""
+        return f"{guessed}{line[f'{kind}ratio']:.3g} ({line[f'{kind}least']:.3g} to {line[f'{kind}most']:.3g})".rjust(22)
+
     return (f"{line['what']:22} {line.get('setting', '-'):>16} {number('old_s', 10)} {number('new_s', 8)} {number('old_error', 10)} "
             f"{number('new_error', 8)} {number('old_variance_s', 13)} {number('new_variance_s', 8)} {number('at', 9)} "
-            f"{number('old_s_at', 10)} {number('new_s_at', 8)} {ratio:>10}")
+            f"{number('old_s_at', 10)} {number('new_s_at', 8)} {ratio('')} {number('aimed_s_at', 8)} {ratio('aimed_')}")
 
 
 def main():

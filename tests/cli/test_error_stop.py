@@ -8,7 +8,7 @@ import re
 from program import SCENES, ProgramTest, main
 
 GLASS = (SCENES / "paper-glass-polarized.yaml", "--size", "40x40")
-PASS = re.compile(r"^(\d+) samples? per pixel, .*: bound of truncation (\S+), estimate of sampling (.*)$", re.M)
+PASS = re.compile(r"^([\d.]+) samples? per pixel, .*: bound of truncation (\S+), estimate of sampling (.*)$", re.M)
 
 
 class ErrorStop(ProgramTest):
@@ -20,12 +20,12 @@ class ErrorStop(ProgramTest):
     def test_samples_are_added_pass_by_pass_until_the_error_is_reached(self):
         done, said = self.render(*GLASS, "--error", "0.1")
         passes = PASS.findall(done.stderr)
-        self.assertEqual([int(samples) for samples, _, _ in passes], [p["samples"] for p in said["error_rule"]["passes"]])
+        self.assertEqual([float(samples) for samples, _, _ in passes], [p["samples"] for p in said["error_rule"]["passes"]])
         self.assertEqual(passes[-1][0], str(said["spp"]))
         self.assertGreaterEqual(said["spp"], 16)
-        self.assertEqual([p["samples"] for p in said["error_rule"]["passes"]],
-                         [2 ** k for k in range(len(passes))], "looks are doublings")
-        self.assertEqual(passes[0][2], "not known")
+        self.assertEqual([p["samples"] for p in said["error_rule"]["passes"]], [4 * 2 ** k for k in range(len(passes))],
+                         "few pixels make the error: all get twice as many")
+        self.assertNotIn("(95 %)", passes[0][2], "too few samples to judge")
         self.assertIn("(68 %)", passes[-1][2])
         self.assertIn("(95 %)", passes[-1][2])
         self.assertEqual(said["stop_reason"], "error")
@@ -44,6 +44,19 @@ class ErrorStop(ProgramTest):
         self.assertIn("sampling was the last to fall", done.stdout)
         self.assertEqual(said["camera_samples"], 40 * 40 * said["spp"])
         self.assertEqual((said["spp_mean"], said["spp_wanted"]), (said["spp"], None))
+
+    def test_where_many_pixels_make_the_error_samples_go_to_the_noisy_ones(self):
+        done, said = self.render(SCENES / "bench/g1.yaml", "--size", "128x128", "--error", "0.02")
+        samples = [p["samples"] for p in said["error_rule"]["passes"]]
+        self.assertEqual(samples[0], 4)
+        for before, after in zip(samples, samples[1:]):
+            self.assertTrue(after >= 1.25 * before or (before, after) == (4, 4), "a quarter more, unless it starts over")
+        self.assertEqual(said["spp"], 4)
+        self.assertGreater(said["spp_mean"], 4)
+        self.assertAlmostEqual(samples[-1], said["spp_mean"])
+        self.assertEqual(said["camera_samples"], round(128 * 128 * said["spp_mean"]))
+        self.assertEqual(said["stop_reason"], "error")
+        self.succeed("maps", "out.exr", "--map", "samples", "-o", "samples.png")
 
     def test_the_residual_is_refined_where_light_is_missing(self):
         done, said = self.render(*GLASS, "--residual", "0.5", "--error", "0.1")

@@ -127,6 +127,32 @@ TEST(LiveRender, LightContrastAndDoubtMakeATileImportant) {
     EXPECT_EQ(importance.order(cut_tiles(32, 16, 8)), (std::vector<int>{2, 1, 7, 0, 3, 4, 5, 6}));
 }
 
+// The order of work, not the picture, depends on where somebody looks; what is not seen comes later, not never.
+TEST(LiveRender, WhatSomebodyLooksAtComesFirst) {
+    const auto plan = picture("cube-glass", 4);
+    RenderJob job(plan, 1, {}, std::nullopt, 8);
+    ASSERT_EQ(job.tiles.size(), 25U);
+    const TileRect seen{16, 8, 24, 15};  // tile 7 alone: 16 is where it begins, 24 where the next one does
+    std::vector<int> order;
+    std::vector<std::uint32_t> samples(job.tiles.size(), 0);
+    while (job.has_work()) {
+        const auto task = std::get<TileTask>(job.take(seen));
+        order.push_back(task.tile);
+        samples[static_cast<std::size_t>(task.tile)] += task.samples.end - task.samples.begin;
+        EXPECT_FALSE(job.deliver(task, {}));
+    }
+    EXPECT_EQ((std::vector<int>(order.begin(), order.begin() + 5)), (std::vector<int>{7, 7, 7, 0, 1}));
+    EXPECT_EQ(samples, std::vector<std::uint32_t>(25, 4));
+
+    const StokesImage reference = test::render(plan, 1, 32);
+    Renderer renderer(2, 8);
+    renderer.look_at({30, 30, 1000, 1000});
+    renderer.start(plan, live());
+    renderer.look_at(seen);
+    finish(renderer);
+    EXPECT_EQ(renderer.snapshot().stokes, reference.stokes);
+}
+
 /// Delivers what a job asks for, each level of the preview in `seconds` by the clock; the strides in their order.
 std::vector<int> levels_shown(double seconds) {
     const auto plan = picture("cube-glass", 1, SampleMode::point);

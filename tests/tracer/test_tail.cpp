@@ -122,7 +122,7 @@ objects: [{name: cube, shape: {box: {size: 1}}, medium: glass}]
         EXPECT_NEAR(result.residual, 1.0, 8e-12) << budget;
         EXPECT_EQ(result.tail, 0.0);
         EXPECT_EQ(result.failures, 0U);
-        EXPECT_EQ(result.nodes, static_cast<std::uint32_t>(budget + std::max(budget, 256)));
+        EXPECT_EQ(result.nodes, static_cast<std::uint32_t>(budget + std::max(budget, 4096)));
     }
 }
 

@@ -285,6 +285,11 @@ TEST(Curves, FitTheSlopeOfAPowerLawAndFindTheCheapestSetting) {
     ASSERT_EQ(all.size(), 1U);
     ASSERT_TRUE(all[0].slope);
     EXPECT_NEAR(*all[0].slope, -0.5, 1e-12);
+    // error = t^-1/2 at 1, 4, 16 and 64 s.
+    EXPECT_NEAR(cost_of(all[0], 0.2).value(), 25.0, 1e-12);
+    EXPECT_NEAR(cost_of(all[0], 0.125).value(), 64.0, 1e-12);
+    EXPECT_FALSE(cost_of(all[0], 0.12));
+    EXPECT_FALSE(cost_of(all[0], 2.0)) << "reached by all: what less would cost is not known";
     const std::vector<Cheapest> best = cheapest(all, {0.3, 0.01});
     ASSERT_TRUE(best[0].point);
     EXPECT_EQ(best[0].point->cpu_s, 16.0);

@@ -122,7 +122,7 @@ class EndToEnd(unittest.TestCase):
         window.key("Escape")
         self.assertNotIn("Ctrl+Shift+Z", window.text)
 
-        window.do("key", "ctrl+q")
+        window.quit_with("ctrl+q")
         self.assertEqual(window.wait(), 0)
         self.assertEqual(window.output, "")
 

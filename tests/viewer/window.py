@@ -125,6 +125,10 @@ class Window:
         subprocess.run(["xdotool", *map(str, command), "getmouselocation"], env=self.display.environment, check=True,
                        stdout=subprocess.DEVNULL)
 
+    def quit_with(self, chord):
+        """Asks nothing afterwards: the window under the cursor may be gone."""
+        subprocess.run(["xdotool", "key", chord], env=self.display.environment, check=True, stdout=subprocess.DEVNULL)
+
     def settle(self):
         """Three looks: ImGui needs two frames more to give the keyboard back after a text field is closed."""
         for _ in range(3):

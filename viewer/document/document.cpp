@@ -256,6 +256,12 @@ void Document::set_paused(bool paused) {
     if (renderer_) paused_ || resting_ ? renderer_->pause() : renderer_->resume();
 }
 
+void Document::look_at(const TileRect& seen) {
+    if (seen == seen_) return;
+    seen_ = seen;
+    if (renderer_) renderer_->look_at(seen);
+}
+
 void Document::set_resting(bool resting) {
     if (resting == resting_) return;
     resting_ = resting;

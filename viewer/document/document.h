@@ -113,6 +113,8 @@ public:
     void set_paused(bool paused);
     /// A document that is not on screen rests, whether or not the user has paused it.
     void set_resting(bool resting);
+    /// The part of the picture that is on screen: it is rendered first.
+    void look_at(const TileRect& seen);
     /// When the render ends before all its samples are there. Setting them starts it over.
     [[nodiscard]] const StopRules& stop_rules() const { return stop_rules_; }
     void set_stop_rules(const StopRules& rules);
@@ -215,6 +217,7 @@ private:
     Version film_seen_ = 0;                        // all tiles are at least of this version
     bool paused_ = false;
     bool resting_ = false;
+    TileRect seen_{};
     std::optional<ShownFact> fact_;
     PictureSource picture_source_;
     PictureOrigin read_origin_;  // of picture_, as the reader had it

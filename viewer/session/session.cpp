@@ -7,6 +7,7 @@
 
 #include "io/scenes/scene_hash.h"
 #include "verify/facts/fact.h"
+#include "viewer/shown/picture_place.h"
 #include "viewer/shown/twins.h"
 
 namespace pol {
@@ -216,6 +217,7 @@ void Session::update() {
     for (const auto& document : documents_) {
         document->set_resting(!is_seen(document.get()));
         if (!is_seen(document.get())) continue;
+        document->look_at(pixels_in(transform_, view_size_));
         const bool traces = document->tracing();
         behind = document->update(traces ? tracing_s : finished_s) || behind;
         tracing = tracing || traces;

@@ -44,6 +44,14 @@ inline ViewTransform of_part(ViewTransform whole, const PixelAddress& corner) {
     return whole;
 }
 
+/// The pixels of the whole picture of which anything lies in a viewport of that size.
+inline TileRect pixels_in(const ViewTransform& whole, const DVec2& view) {
+    constexpr double largest = 1e9;
+    const DVec2 low = glm::clamp(glm::floor(whole.picture_from_view({0.0, 0.0})), -largest, largest);
+    const DVec2 high = glm::clamp(glm::ceil(whole.picture_from_view(view)), -largest, largest);
+    return {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x), static_cast<int>(high.y)};
+}
+
 /// The other way round.
 inline ViewTransform of_whole(ViewTransform part, const PixelAddress& corner) {
     part.offset -= part.scale * DVec2(corner.x, corner.y);

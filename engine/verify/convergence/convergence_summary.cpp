@@ -85,6 +85,7 @@ CurvePoint point_of(const Group& group) {
     const std::vector<const RunRow*>& rows = group.second;
     CurvePoint point;
     point.setting = group.first;
+    point.samples = rows.front()->samples_per_pixel;
     const Spread error = spread(rows, [](const RunRow& row) { return row.errors[0].whole; });
     point.error = error.middle;
     point.error_low = error.low;
@@ -119,6 +120,22 @@ std::optional<double> slope_of(const std::vector<CurvePoint>& points) {
 }
 
 }  // namespace
+
+std::optional<double> cost_of(const Curve& curve, double error) {
+    std::optional<double> cost;
+    const CurvePoint* before = nullptr;
+    for (const CurvePoint& point : curve.points) {
+        if (point.below_floor || !(point.cpu_s > 0.0)) continue;
+        if (point.error > error) {
+            cost.reset();
+        } else if (before != nullptr && before->error > error) {
+            const double share = std::log(before->error / error) / std::log(before->error / point.error);
+            cost = before->cpu_s * std::pow(point.cpu_s / before->cpu_s, share);
+        }
+        before = &point;
+    }
+    return cost;
+}
 
 std::vector<Curve> curves(const std::vector<RunRow>& rows) {
     std::vector<Curve> result;

@@ -13,8 +13,9 @@ namespace pol::verify {
 
 /// One setting of a curve: median over its seeds, with the band from the smallest to the largest.
 struct CurvePoint {
-    std::string setting;  ///< "residual 0.01", "16 samples", "depth 5"
-    double error = 0.0;   ///< fro_c
+    std::string setting;   ///< "residual 0.01", "16 samples", "depth 5"
+    double samples = 0.0;  ///< per pixel
+    double error = 0.0;    ///< fro_c
     double error_low = 0.0;
     double error_high = 0.0;
     double wall_s = 0.0;
@@ -34,6 +35,10 @@ struct Curve {
     /// time for a tenth of the error. Empty: fewer than three points.
     std::optional<double> slope;
 };
+
+/// CPU time at which a curve comes down to an error for good: between two of its points above the floor as a power law.
+/// Empty: it does not, or begins below it.
+std::optional<double> cost_of(const Curve& curve, double error);
 
 /// Curves in the order in which their series first appear.
 std::vector<Curve> curves(const std::vector<RunRow>& rows);
