@@ -71,21 +71,27 @@ Complex<Real> unit_phase(const Real& angle) {
     return {cos(angle), sin(angle)};
 }
 
+/// a/b without a branch, where |b|^2 neither overflows nor underflows. Rounding |b|^2 changes the size alone.
+template <class Real>
+constexpr Complex<Real> quotient(const Complex<Real>& a, const Complex<Real>& b) {
+    return a * conj(b) / norm2(b);
+}
+
 /// Square root with a non-negative imaginary part: with exp(-i omega t) the wave that decays along +.
 /// The branch is continuous across the positive real axis from above only; a real negative radicand gives +i.
 template <class Real>
 Complex<Real> sqrt_decaying(const Complex<Real>& z) {
+    using std::abs;
     using std::sqrt;
-    if (z.im == Real(0)) return z.re >= Real(0) ? Complex<Real>(sqrt(z.re)) : Complex<Real>(Real(0), sqrt(-z.re));
-    const Real magnitude = hypot(z.re, z.im);
+    const auto forward = Real(0) <= z.re;
+    if constexpr (!is_lanes<Real>)  // the short way to the same
+        if (z.im == Real(0)) return forward ? Complex<Real>(sqrt(abs(z.re))) : Complex<Real>(Real(0), sqrt(abs(z.re)));
     // The larger part first; the other from the product 2 re im = Im z, so neither cancels.
-    if (z.re >= Real(0)) {
-        const Real re = sqrt((magnitude + z.re) / Real(2));
-        const Real im = z.im / (Real(2) * re);
-        return im < Real(0) ? Complex<Real>(-re, -im) : Complex<Real>(re, im);
-    }
-    const Real im = sqrt((magnitude - z.re) / Real(2));
-    return {z.im / (Real(2) * im), im};
+    const Real larger = sqrt((hypot(z.re, z.im) + abs(z.re)) / Real(2));
+    const Real smaller = select(abs(z.im) > Real(0), z.im / (Real(2) * larger), Real(0));
+    const auto turned = smaller < Real(0);
+    return {select(forward, select(turned, -larger, larger), smaller),
+            select(forward, select(turned, -smaller, smaller), larger)};
 }
 
 }  // namespace pol

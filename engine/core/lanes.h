@@ -3,6 +3,7 @@
 // does.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,18 +16,21 @@ template <int width>
 struct LaneRegister;
 template <>
 struct LaneRegister<2> {
-    typedef double Numbers __attribute__((vector_size(16), may_alias));     // NOLINT: `using` takes no attribute here
-    typedef std::int64_t Mask __attribute__((vector_size(16), may_alias));  // NOLINT
+    typedef double Numbers __attribute__((vector_size(16), may_alias));      // NOLINT: `using` takes no attribute here
+    typedef std::int64_t Mask __attribute__((vector_size(16), may_alias));   // NOLINT
+    typedef std::uint64_t Bits __attribute__((vector_size(16), may_alias));  // NOLINT
 };
 template <>
 struct LaneRegister<4> {
-    typedef double Numbers __attribute__((vector_size(32), may_alias));     // NOLINT
-    typedef std::int64_t Mask __attribute__((vector_size(32), may_alias));  // NOLINT
+    typedef double Numbers __attribute__((vector_size(32), may_alias));      // NOLINT
+    typedef std::int64_t Mask __attribute__((vector_size(32), may_alias));   // NOLINT
+    typedef std::uint64_t Bits __attribute__((vector_size(32), may_alias));  // NOLINT
 };
 template <>
 struct LaneRegister<8> {
-    typedef double Numbers __attribute__((vector_size(64), may_alias));     // NOLINT
-    typedef std::int64_t Mask __attribute__((vector_size(64), may_alias));  // NOLINT
+    typedef double Numbers __attribute__((vector_size(64), may_alias));      // NOLINT
+    typedef std::int64_t Mask __attribute__((vector_size(64), may_alias));   // NOLINT
+    typedef std::uint64_t Bits __attribute__((vector_size(64), may_alias));  // NOLINT
 };
 
 /// What a comparison of lanes gives: all bits or none in each.
@@ -38,15 +42,22 @@ struct LaneMask {
     [[gnu::always_inline]] friend LaneMask operator!(LaneMask a) { return {~a.bits}; }
 };
 
-/// Only +, -, *, / and the square root: correctly rounded, so that the bits do not depend on the width. Functions of an
-/// instruction set must be `flatten` where they use lanes wider than 2: they are passed differently between functions
-/// of different sets.
+/// From 2^52 to 2^53 doubles are whole numbers: adding this rounds, and leaves the number in the lowest bits, negative
+/// ones as two's complement.
+constexpr double whole_numbers = 0x1.8p52;
+/// Of the exponent of doubles.
+constexpr std::uint64_t power_of_two_bias = 1023;
+
+/// Only +, -, *, /, the square root and exact powers of two: correctly rounded, so that the bits do not depend on the
+/// width. Functions of an instruction set must be `flatten` where they use lanes wider than 2: they are passed
+/// differently between functions of different sets.
 template <int width_>
 class Lanes {
 public:
     static constexpr int width = width_;
     using Numbers = typename LaneRegister<width_>::Numbers;
     using Mask = LaneMask<width_>;
+    using Bits = typename LaneRegister<width_>::Bits;
 
     Lanes() = default;
     [[gnu::always_inline]] Lanes(double all)
@@ -76,6 +87,12 @@ public:
         for (int i = 0; i < width_; ++i) root[i] = std::sqrt(root[i]);
         return Lanes(root);
     }
+    [[gnu::always_inline]] friend Lanes abs(const Lanes& a) {
+        return Lanes(Numbers(Bits(a.v_) & ~(Bits{} + (std::uint64_t{1} << 63U))));
+    }
+    [[gnu::always_inline]] friend Lanes power_of_two(const Lanes& whole) {
+        return Lanes(Numbers((Bits((whole + Lanes(whole_numbers)).v_) + power_of_two_bias) << 52U));
+    }
     [[gnu::always_inline]] friend Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
         return Lanes(Numbers(mask.bits ? yes.v_ : no.v_));
     }
@@ -84,10 +101,26 @@ private:
     Numbers v_;
 };
 
+template <class Real>
+constexpr bool is_lanes = false;
+template <int width>
+constexpr bool is_lanes<Lanes<width>> = true;
+
 /// select() of a single number, so that a formula is written once.
 template <class Real>
 Real select(bool yes, const Real& a, const Real& b) {
     return yes ? a : b;
+}
+
+/// The nearest whole number, of a tie the even one. Requires: |a| < 2^51.
+template <class Real>
+Real nearest_whole(const Real& a) {
+    return (a + Real(whole_numbers)) - Real(whole_numbers);
+}
+
+/// 2^whole. Requires: `whole` is a whole number from -1022 to 1023.
+inline double power_of_two(double whole) {
+    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(whole + whole_numbers) + power_of_two_bias) << 52U);
 }
 
 /// What `Real` answers to a comparison.

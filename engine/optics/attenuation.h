@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/exponential.h"
 #include "core/vec.h"
 
 namespace pol {
@@ -17,6 +18,18 @@ struct AbsorptionAt {
     [[nodiscard]] bool absorbs() const { return ordinary != 0.0 || extraordinary != 0.0; }
     friend bool operator==(const AbsorptionAt&, const AbsorptionAt&) = default;
 };
+
+/// What becomes of a wave along a segment.
+template <class Real>
+struct Attenuation {
+    Real lost{};       ///< share of the power that is absorbed, 1 - exp(-alpha length)
+    Real amplitude{};  ///< factor of the field, exp(-alpha length / 2)
+};
+
+template <class Real>
+Attenuation<Real> attenuation(const Real& alpha, const Real& length) {
+    return {-exponential_less_one(-alpha * length), exponential(Real(-0.5) * alpha * length)};
+}
 
 /// Absorption coefficient along the ray of a wave in an isotropic medium of index n + i kappa, `k` the real part of its
 /// wave vector. Behind a plane face the wave has Im k along the normal, and Re k . Im k = n kappa however it leans: the

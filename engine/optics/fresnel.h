@@ -82,7 +82,7 @@ struct AbsorbingFresnel {
     Complex<Real> q2{};
     /// The wave behind advances faster than it decays, Re q2 >= Im q2. Else it dies within a wavelength/(4 pi n2) or
     /// two, and only metals and total reflection make such waves: they are counted as absorbed at the surface.
-    bool goes_on = false;
+    MaskOf<Real> goes_on{};
 };
 
 /// Requires: n1, n2 > 0, kappa1, kappa2 >= 0, one of them > 0 or medium 2 a conductor. `k1` is the length of the real
@@ -102,9 +102,9 @@ AbsorbingFresnel<Real> absorbing_fresnel(const Complex<Real>& n1, const Complex<
     const Complex<Real> sum_p = product + k_t2;
     AbsorbingFresnel<Real> result;
     result.q2 = q2;
-    result.goes_on = q2.re >= q2.im;
-    result.r_s = contrast / (sum * sum);
-    result.r_p = result.r_s * ((k_t2 - product) / sum_p);
+    result.goes_on = q2.im <= q2.re;
+    result.r_s = quotient(contrast, sum * sum);
+    result.r_p = result.r_s * quotient(k_t2 - product, sum_p);
     // The flux of unit E_s is Re q, of unit H_p Re(q/eps); behind the boundary E_s = 2 q1/sum and H_p = 2 eps2 q1/(sum
     // sum_p).
     const Complex<Real> y1 = q1 * conj(eps1);

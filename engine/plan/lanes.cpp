@@ -8,11 +8,19 @@ namespace pol {
 
 namespace {
 
-bool is_transparent(const Plan& plan, const Region& region) {
+/// Glass, of a complex index where it absorbs at all.
+bool is_glass(const MediumAt& medium) {
+    return medium.dielectric.kind == MediumKind::isotropic &&
+           (medium.dielectric.is_complex() || !medium.absorption.absorbs());
+}
+
+bool is_transparent_glass(const MediumAt& medium) {
+    return is_glass(medium) && !medium.dielectric.is_complex();
+}
+
+bool at_all_wavelengths(const Plan& plan, const Region& region, bool (*is_so)(const MediumAt&)) {
     return std::all_of(plan.groups.begin(), plan.groups.end(), [&](const WavelengthGroup& group) {
-        const MediumAt& medium = group.media[static_cast<std::size_t>(region.medium)];
-        return medium.dielectric.kind == MediumKind::isotropic && !medium.dielectric.is_complex() &&
-               !medium.absorption.absorbs();
+        return is_so(group.media[static_cast<std::size_t>(region.medium)]);
     });
 }
 
@@ -23,7 +31,7 @@ bool is_lamp_or_black(const Surface& surface) {
 }  // namespace
 
 std::string why_not_in_lanes(const Plan& plan) {
-    if (plan.kernel() != Kernel{}) return "the kernel is " + to_string(plan.kernel());
+    if (plan.kernel().anisotropic) return "the kernel is " + to_string(plan.kernel());
     SpareParts beside_the_kernel;
     beside_the_kernel.halves = plan.kept.halves;
     beside_the_kernel.tree_per_wavelength = plan.kept.tree_per_wavelength;
@@ -40,9 +48,12 @@ std::string why_not_in_lanes(const Plan& plan) {
         if (!is_lamp_or_black(surface)) return "'" + surface.name + "' is not a flat lamp or absorber";
     if (plan.camera_region != 0 || plan.regions.size() != 2) return "the camera stands inside '" + solid.name + "'";
     if (!plan.regions[1].surfaces.empty()) return "there is a surface inside '" + solid.name + "'";
-    for (const Region& region : plan.regions)
-        if (!is_transparent(plan, region))
-            return "'" + plan.medium_names[static_cast<std::size_t>(region.medium)] + "' is no transparent glass";
+    const auto medium_of = [&](const Region& region) {
+        return "'" + plan.medium_names[static_cast<std::size_t>(region.medium)] + "'";
+    };
+    if (!at_all_wavelengths(plan, plan.regions[0], is_transparent_glass))
+        return medium_of(plan.regions[0]) + " around '" + solid.name + "' absorbs";
+    if (!at_all_wavelengths(plan, plan.regions[1], is_glass)) return medium_of(plan.regions[1]) + " is no glass";
     return {};
 }
 

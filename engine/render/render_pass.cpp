@@ -26,9 +26,9 @@ class KernelPass final : public PassTracer {
 public:
     KernelPass(PlanForKernel<anisotropic, absorbing> plan, Follow follow)
         : plan_(plan.plan()), tracer_(plan, observer_) {
-        if constexpr (!anisotropic && !absorbing)
+        if constexpr (!anisotropic)
             if (follow == Follow::side_by_side && why_not_in_lanes(plan_).empty())
-                lanes_ = std::make_unique<LaneTracer>(plan);
+                lanes_ = std::make_unique<LaneTracer<absorbing>>(plan);
     }
 
     RenderStatistics trace(const SampleSpan& samples, const std::atomic<bool>& cancelled, TileBuffer& buffer) override {
@@ -159,7 +159,7 @@ private:
     SilentUntilCancelled observer_;
     Tracer<anisotropic, absorbing, SilentUntilCancelled> tracer_;
     std::vector<Stokes<double>> light_;
-    std::unique_ptr<LaneTracer> lanes_;  ///< null: one branch at a time
+    std::unique_ptr<LaneTracer<absorbing>> lanes_;  ///< null: one branch at a time
 };
 
 }  // namespace

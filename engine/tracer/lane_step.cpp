@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/lanes.h"
+#include "tracer/absorbing_boundary.h"
 #include "tracer/transparent_boundary.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -84,6 +85,39 @@ HWY_INLINE void store_child(const PairChild<Real>& child, const Vec3<Real>& s, c
     }
 }
 
+[[gnu::flatten]] void cross_absorbing_step(const LaneBranches& from, const HitBlock& hits, double side,
+                                           const AbsorbingMedia& media, LaneBranches& reflected,
+                                           LaneBranches& transmitted, double* reaches, double* on_the_way,
+                                           double* at_boundary) {
+    const Complex<Real> n1(Real(media.n1.re), Real(media.n1.im));
+    const Complex<Real> n2(Real(media.n2.re), Real(media.n2.im));
+    for (int lane = 0; lane < RayBlock::size; lane += lane_width) {
+        const Vec3<Real> ray = load3(from.rays.direction, lane);
+        const Real distance = Real::load(hits.distance + lane);
+        const Vec3<Real> origin = load3(from.rays.origin, lane) + ray * distance;
+        const Vec3<Real> field[2]{load3(from.s, lane), load3(from.p, lane)};
+        const Vec3<Real> normal = load3(hits.normal, lane) * Real(side);
+        Throughput<Real> throughput = load_throughput(from, lane);
+        Real k1 = n1.re;
+        Real lost(0.0);
+        if (media.n1.im != 0.0) {
+            const Vec3<Real> k = ray * Real::load(from.index + lane);
+            k1 = sqrt(length2(k));
+            const auto along = attenuation(pair_absorption(media.absorption, n1.re, k), distance);
+            lost = Real::load(from.weight + lane) * along.lost;
+            throughput.scale(along.amplitude);
+        }
+        const auto boundary = absorbing_boundary(ray, field, throughput, normal, n1, n2, k1, false);
+        store_child(boundary.reflected, boundary.s, origin, reflected, lane);
+        store_child(boundary.transmitted, boundary.s, origin, transmitted, lane);
+        k1.store(reflected.index + lane);
+        boundary.behind.store(transmitted.index + lane);
+        select(boundary.reaches, Real(1.0), Real(0.0)).store(reaches + lane);
+        lost.store(on_the_way + lane);
+        boundary.absorbed.store(at_boundary + lane);
+    }
+}
+
 [[gnu::flatten]] void look_step(const LaneBranches& branches, const OpenSurface* const* surfaces, std::size_t count,
                                 LaneSights& sights) {
     for (int lane = 0; lane < RayBlock::size; lane += lane_width) {
@@ -123,6 +157,7 @@ HWY_AFTER_NAMESPACE();
 namespace pol {
 HWY_EXPORT(begin_step);
 HWY_EXPORT(cross_step);
+HWY_EXPORT(cross_absorbing_step);
 HWY_EXPORT(look_step);
 
 void begin_in_lanes(const CameraModel& camera, const double (&x)[RayBlock::size], const double (&y)[RayBlock::size],
@@ -133,6 +168,13 @@ void begin_in_lanes(const CameraModel& camera, const double (&x)[RayBlock::size]
 void cross_in_lanes(const LaneBranches& from, const HitBlock& hits, double side, double n1, double n2,
                     LaneBranches& reflected, LaneBranches& transmitted, double (&reaches)[RayBlock::size]) {
     HWY_DYNAMIC_DISPATCH(cross_step)(from, hits, side, n1, n2, reflected, transmitted, reaches);
+}
+
+void cross_absorbing_in_lanes(const LaneBranches& from, const HitBlock& hits, double side, const AbsorbingMedia& media,
+                              LaneBranches& reflected, LaneBranches& transmitted, double (&reaches)[RayBlock::size],
+                              double (&absorbed)[2][RayBlock::size]) {
+    HWY_DYNAMIC_DISPATCH(cross_absorbing_step)
+    (from, hits, side, media, reflected, transmitted, reaches, absorbed[0], absorbed[1]);
 }
 
 void look_in_lanes(const LaneBranches& branches, std::span<const OpenSurface* const> surfaces, LaneSights& sights) {

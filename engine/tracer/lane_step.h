@@ -5,8 +5,10 @@
 
 #include <span>
 
+#include "core/complex.h"
 #include "geometry/open_surface.h"
 #include "geometry/plane_scan.h"
+#include "optics/attenuation.h"
 #include "plan/camera_model.h"
 
 namespace pol {
@@ -18,6 +20,7 @@ struct alignas(64) LaneBranches {
     double p[3][RayBlock::size];           ///< Wave::field[1]
     double throughput[8][RayBlock::size];  ///< [4 row + 2 column + part], part 1: imaginary
     double weight[RayBlock::size];
+    double index[RayBlock::size];  ///< |k|, real part, where cross_absorbing_in_lanes() has made them
 };
 
 /// Camera rays through the places (x, y) of the picture.
@@ -28,6 +31,19 @@ void begin_in_lanes(const CameraModel& camera, const double (&x)[RayBlock::size]
 /// weight zero is not there. `reaches`: 0 where the ray does not go towards the boundary, a numerical failure.
 void cross_in_lanes(const LaneBranches& from, const HitBlock& hits, double side, double n1, double n2,
                     LaneBranches& reflected, LaneBranches& transmitted, double (&reaches)[RayBlock::size]);
+
+/// Two media of which one absorbs or both.
+struct AbsorbingMedia {
+    Complex<double> n1{};
+    Complex<double> n2{};
+    AbsorptionAt absorption{};  ///< of the first, from where the branches begin on
+};
+
+/// As cross_in_lanes(), after the way to `hits` has dimmed the branches. absorbed: weight that was lost on it, and at
+/// the boundary.
+void cross_absorbing_in_lanes(const LaneBranches& from, const HitBlock& hits, double side, const AbsorbingMedia& media,
+                              LaneBranches& reflected, LaneBranches& transmitted, double (&reaches)[RayBlock::size],
+                              double (&absorbed)[2][RayBlock::size]);
 
 /// The nearest open surface on the way of each ray, and the Stokes vector at the camera of unpolarized light from
 /// there.

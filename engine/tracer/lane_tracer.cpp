@@ -26,36 +26,42 @@ void for_each_number(Branches& branches, int lane, const Visit& visit) {
     }
     for (auto& element : branches.throughput) visit(index++, element[lane]);
     visit(index++, branches.weight[lane]);
+    visit(index++, branches.index[lane]);
 }
 
 }  // namespace
 
-LaneTracer::LaneTracer(PlanForKernel<false, false> plan)
+template <bool absorbing>
+LaneTracer<absorbing>::LaneTracer(PlanForKernel<false, absorbing> plan)
     : plan_(plan.plan()), scan_(std::get<HalfSpaceSolid>(plan_.solids.front().shape)), scalar_(plan, observer_) {
     POL_EXPECTS(why_not_in_lanes(plan_).empty());
     for (const int body : plan_.regions[0].surfaces)
         surfaces_.push_back(&std::get<OpenSurface>(plan_.surface(body).shape));
 }
 
-LaneTracer::Place LaneTracer::place(std::size_t number) const {
+template <bool absorbing>
+typename LaneTracer<absorbing>::Place LaneTracer<absorbing>::place(std::size_t number) const {
     const std::size_t index = samples_.first_pixel + number / samples_.samples;
     const auto pixel = static_cast<int>(samples_.listed.empty() ? index : samples_.listed[index]);
     return {samples_.x0 + pixel % samples_.tile_width, samples_.y0 + pixel / samples_.tile_width,
             samples_.first_sample + static_cast<std::uint32_t>(number % samples_.samples)};
 }
 
-TraceTask LaneTracer::task(std::size_t number) const {
+template <bool absorbing>
+TraceTask LaneTracer<absorbing>::task(std::size_t number) const {
     const Place at = place(number);
     return sample_task(plan_, at.x, at.y, at.sample, samples_.group);
 }
 
-bool LaneTracer::trace(const LaneSamples& samples, const KeepGoing& keep_going) {
+template <bool absorbing>
+bool LaneTracer<absorbing>::trace(const LaneSamples& samples, const KeepGoing& keep_going) {
     samples_ = samples;
     observer_.keep_going = &keep_going;
     group_ = &plan_.groups[static_cast<std::size_t>(samples.group)];
     wavelengths_ = group_->wavelengths.size();
-    outside_n_ = group_->media[static_cast<std::size_t>(plan_.regions[0].medium)].dielectric.n;
-    inside_n_ = group_->media[static_cast<std::size_t>(plan_.regions[1].medium)].dielectric.n;
+    outside_medium_ = group_->media[static_cast<std::size_t>(plan_.regions[0].medium)];
+    inside_medium_ = group_->media[static_cast<std::size_t>(plan_.regions[1].medium)];
+    absorbs_ = absorbing && inside_medium_.dielectric.is_complex();
     count_ = samples.pixels * samples.samples;
     next_ = 0;
     results_.assign(count_, {});
@@ -81,8 +87,21 @@ bool LaneTracer::trace(const LaneSamples& samples, const KeepGoing& keep_going) 
     }
 }
 
+template <bool absorbing>
+void LaneTracer<absorbing>::cross(const LaneBranches& from, double side, const MediumAt& from_medium,
+                                  const MediumAt& to_medium, LaneBranches& reflected, LaneBranches& transmitted) {
+    const Dielectric<double>& first = from_medium.dielectric;
+    const Dielectric<double>& second = to_medium.dielectric;
+    if (!absorbs_) return cross_in_lanes(from, hits_, side, first.n, second.n, reflected, transmitted, reaches_);
+    if constexpr (absorbing)
+        cross_absorbing_in_lanes(from, hits_, side,
+                                 {{first.n, first.kappa}, {second.n, second.kappa}, from_medium.absorption}, reflected,
+                                 transmitted, reaches_, absorbed_);
+}
+
 /// Sixteen camera rays, to the lamps or into the solid.
-void LaneTracer::begin_samples() {
+template <bool absorbing>
+void LaneTracer<absorbing>::begin_samples() {
     const std::size_t first = next_;
     const int rays = static_cast<int>(std::min<std::size_t>(width, count_ - first));
     next_ += static_cast<std::size_t>(rays);
@@ -116,8 +135,9 @@ void LaneTracer::begin_samples() {
     if (any) enter_solid(first, enters);
 }
 
-void LaneTracer::enter_solid(std::size_t first, const bool (&enters)[width]) {
-    cross_in_lanes(camera_, hits_, -1.0, outside_n_, inside_n_, outside_, begun_, reaches_);
+template <bool absorbing>
+void LaneTracer<absorbing>::enter_solid(std::size_t first, const bool (&enters)[width]) {
+    cross(camera_, -1.0, outside_medium_, inside_medium_, outside_, begun_);
     look_in_lanes(outside_, surfaces_, sights_);
     for (int lane = 0; lane < width; ++lane) {
         if (!enters[lane]) continue;
@@ -127,6 +147,7 @@ void LaneTracer::enter_solid(std::size_t first, const bool (&enters)[width]) {
             continue;
         }
         results_[sample].nodes = 1;
+        if (absorbs_) results_[sample].absorbed += absorbed_[1][lane];
         if (outside_.weight[lane] != 0.0) {
             ++results_[sample].nodes;
             end_outside(outside_, lane, hits_.facet[lane], sample);
@@ -140,9 +161,10 @@ void LaneTracer::enter_solid(std::size_t first, const bool (&enters)[width]) {
 }
 
 /// One step of all branches in flight.
-void LaneTracer::follow_inside() {
+template <bool absorbing>
+void LaneTracer<absorbing>::follow_inside() {
     scan_.exit(inside_->rays, facet_, width, hits_);
-    cross_in_lanes(*inside_, hits_, 1.0, inside_n_, outside_n_, *reflected_, outside_, reaches_);
+    cross(*inside_, 1.0, inside_medium_, outside_medium_, *reflected_, outside_);
     look_in_lanes(outside_, surfaces_, sights_);
     for (int lane = 0; lane < width; ++lane) {
         if (facet_[lane] == PlaneScan::no_ray) continue;
@@ -155,6 +177,10 @@ void LaneTracer::follow_inside() {
             continue;
         }
         ++results_[sample].nodes;
+        if (absorbs_) {
+            results_[sample].absorbed += absorbed_[0][lane];
+            results_[sample].absorbed += absorbed_[1][lane];
+        }
         if (outside_.weight[lane] != 0.0) {
             ++results_[sample].nodes;
             end_outside(outside_, lane, hits_.facet[lane], sample);
@@ -167,7 +193,8 @@ void LaneTracer::follow_inside() {
     std::swap(inside_, reflected_);
 }
 
-bool LaneTracer::goes_on(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
+template <bool absorbing>
+bool LaneTracer<absorbing>::goes_on(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
     const double weight = branches.weight[lane];
     if (weight > plan_.settings.residual) {
         if (results_[sample].nodes < static_cast<std::uint32_t>(plan_.settings.node_budget.value())) return true;
@@ -179,11 +206,13 @@ bool LaneTracer::goes_on(const LaneBranches& branches, int lane, int facet, std:
     return false;
 }
 
-Node LaneTracer::node_of(const LaneBranches& branches, int lane, int region, int facet) const {
+template <bool absorbing>
+Node LaneTracer<absorbing>::node_of(const LaneBranches& branches, int lane, int region, int facet) const {
     Node node;
     node.origin = origin_of(branches.rays, lane);
     node.wave.ray = direction_of(branches.rays, lane);
-    node.wave.k = node.wave.ray * (region == 0 ? outside_n_ : inside_n_);
+    const MediumAt& medium = region == 0 ? outside_medium_ : inside_medium_;
+    node.wave.k = node.wave.ray * (medium.dielectric.is_complex() ? branches.index[lane] : medium.dielectric.n);
     node.wave.field[0] = {branches.s[0][lane], branches.s[1][lane], branches.s[2][lane]};
     node.wave.field[1] = {branches.p[0][lane], branches.p[1][lane], branches.p[2][lane]};
     for (int row = 0; row < 2; ++row)
@@ -196,7 +225,8 @@ Node LaneTracer::node_of(const LaneBranches& branches, int lane, int region, int
     return node;
 }
 
-void LaneTracer::end_outside(const LaneBranches& branches, int lane, int left_facet, std::size_t sample) {
+template <bool absorbing>
+void LaneTracer<absorbing>::end_outside(const LaneBranches& branches, int lane, int left_facet, std::size_t sample) {
     TraceResult& result = results_[sample];
     const std::span<Stokes<double>> sum = sums(sample);
     const Stokes<double> unpolarized{sights_.unpolarized[0][lane], sights_.unpolarized[1][lane],
@@ -229,19 +259,24 @@ void LaneTracer::end_outside(const LaneBranches& branches, int lane, int left_fa
     crossing.normal = std::get<OpenSurface>(plan_.surface(body).shape).plane().normal;
     node.origin += node.wave.ray * crossing.distance;
     std::fill(emitted_.begin(), emitted_.end(), Stokes<double>{});
-    emitter_light(plan_, samples_.group, *emitter, node, crossing, outside_n_, emitted_);
+    emitter_light(plan_, samples_.group, *emitter, node, crossing, outside_medium_.dielectric.n, emitted_);
     for (std::size_t i = 0; i < wavelengths_; ++i) sum[i] += emitted_[i];
     result.resolved += node.weight;
 }
 
-void LaneTracer::hand_over(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
+template <bool absorbing>
+void LaneTracer<absorbing>::hand_over(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
     results_[sample] = scalar_.resume(task(sample), node_of(branches, lane, 1, facet), results_[sample], sums(sample));
 }
 
-void LaneTracer::finish(std::size_t sample) {
+template <bool absorbing>
+void LaneTracer<absorbing>::finish(std::size_t sample) {
     TraceResult& result = results_[sample];
     const double total = result.resolved + result.absorbed + result.residual + result.tail;
     if (!(std::abs(total - 1.0) <= energy_tolerance)) ++result.failures;
 }
+
+template class LaneTracer<false>;
+template class LaneTracer<true>;
 
 }  // namespace pol

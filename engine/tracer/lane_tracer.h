@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel for one transparent flat-faced solid (plan/lanes.h): samples side by side, each with the bits that the
+// The kernel for one flat-faced solid of glass (plan/lanes.h): samples side by side, each with the bits that the
 // scalar kernel gives it (trace.h).
 //
 // Of every sample one branch is in flight. In a convex solid no more is open at a time: what leaves it meets lamps,
@@ -32,10 +32,12 @@ struct LaneSamples {
     int group = 0;
 };
 
+/// absorbing: as for Tracer.
+template <bool absorbing>
 class LaneTracer {
 public:
     /// The plan must outlive the tracer. Requires: why_not_in_lanes(plan) is empty.
-    explicit LaneTracer(PlanForKernel<false, false> plan);
+    explicit LaneTracer(PlanForKernel<false, absorbing> plan);
     LaneTracer(const LaneTracer&) = delete;
     LaneTracer& operator=(const LaneTracer&) = delete;
 
@@ -54,7 +56,7 @@ private:
 
     /// An open branch in the solid that waits for a lane.
     struct Waiting {
-        double value[21];
+        double value[22];
         int facet = -1;
         std::size_t sample = 0;
     };
@@ -68,6 +70,9 @@ private:
 
     [[nodiscard]] Place place(std::size_t number) const;
     [[nodiscard]] TraceTask task(std::size_t number) const;
+    /// To the points hits_ and across the boundary there.
+    void cross(const LaneBranches& from, double side, const MediumAt& from_medium, const MediumAt& to_medium,
+               LaneBranches& reflected, LaneBranches& transmitted);
     void begin_samples();
     void enter_solid(std::size_t first, const bool (&enters)[width]);
     void follow_inside();
@@ -86,13 +91,14 @@ private:
     PlaneScan scan_;
     std::vector<const OpenSurface*> surfaces_;
     Patient observer_;
-    Tracer<false, false, Patient> scalar_;
+    Tracer<false, absorbing, Patient> scalar_;
 
     LaneSamples samples_{};
     const WavelengthGroup* group_ = nullptr;
     std::size_t wavelengths_ = 0;
-    double outside_n_ = 1.0;
-    double inside_n_ = 1.0;
+    MediumAt outside_medium_{};
+    MediumAt inside_medium_{};
+    bool absorbs_ = false;  ///< the solid does, in this group
     std::size_t count_ = 0;
     std::size_t next_ = 0;  ///< the first sample that has not begun
     std::vector<TraceResult> results_;
@@ -106,6 +112,7 @@ private:
     HitBlock hits_{};
     LaneSights sights_{};
     double reaches_[width]{};
+    double absorbed_[2][width]{};  ///< on the way to hits_, and there
     LaneBranches camera_{};
     LaneBranches in_flight_[2]{};
     LaneBranches* inside_ = &in_flight_[0];  ///< the branches in flight

@@ -8,6 +8,7 @@
 #include "optics/boundary_solver.h"
 #include "optics/elements.h"
 #include "optics/fresnel.h"
+#include "tracer/absorbing_boundary.h"
 #include "tracer/node.h"
 #include "tracer/transparent_boundary.h"
 
@@ -52,32 +53,23 @@ inline void cross_isotropic_boundary(const Node& node, const Dielectric<double>&
         child.throughput = wave.throughput;
         child.weight = wave.weight;
     };
-    if (!from.is_complex() && !to.is_complex()) {
-        const auto boundary = transparent_boundary(d, node.wave.field, node.throughput, normal, from.n, to.n);
-        if (boundary.reflected.weight != 0.0) take(Side::reflected, from.n, boundary.s, boundary.reflected);
-        if (boundary.transmitted.weight != 0.0) take(Side::transmitted, to.n, boundary.s, boundary.transmitted);
-        return;
-    }
+    const auto take_both = [&](const auto& boundary, double n1, double n2) {
+        if (boundary.reflected.weight != 0.0) take(Side::reflected, n1, boundary.s, boundary.reflected);
+        if (boundary.transmitted.weight != 0.0) take(Side::transmitted, n2, boundary.s, boundary.transmitted);
+    };
+    if (!from.is_complex() && !to.is_complex())
+        return take_both(transparent_boundary(d, node.wave.field, node.throughput, normal, from.n, to.n), from.n, to.n);
 
-    const DVec3 s = across_incidence(d, node.wave.field[0], normal);
-    const Throughput<double> m = in_basis(node.throughput, node.wave.field, s, cross(d, s));
-    const auto add = [&](Side side, const DVec3& ray, double n, const Complex<double>& a_s,
-                         const Complex<double>& a_p) { take(side, n, s, pair_child(m, s, ray, a_s, a_p)); };
-    if (from == to)
-        return add(Side::transmitted, d, std::sqrt(length2(node.wave.k)), Complex<double>(1.0), Complex<double>(1.0));
     const double k1 = from.is_complex() ? std::sqrt(length2(node.wave.k)) : from.n;
-    const auto f = absorbing_fresnel<double>({from.n, from.kappa}, {to.n, to.kappa}, k1, k1 * cos_1);
-    add(Side::reflected, d - normal * (2.0 * cos_1), k1, f.r_s, f.r_p);
-    const bool goes_on = f.goes_on && to.kind == MediumKind::isotropic;
-    if (goes_on) {
-        const DVec3 k2 = (d - normal * cos_1) * k1 + normal * f.q2.re;
-        const double size = std::sqrt(length2(k2));
-        add(Side::transmitted, k2 / size, size, f.t_s, f.t_p);
+    if (from == to) {
+        const DVec3 s = across_incidence(d, node.wave.field[0], normal);
+        const Throughput<double> m = in_basis(node.throughput, node.wave.field, s, cross(d, s));
+        return take(Side::transmitted, k1, s, pair_child(m, s, d, Complex<double>(1.0), Complex<double>(1.0)));
     }
-    const double lost_s = f.mixed_s + (goes_on ? 0.0 : f.into_s);
-    const double lost_p = f.mixed_p + (goes_on ? 0.0 : f.into_p);
-    out.absorbed =
-        0.5 * ((norm2(m.m[0][0]) + norm2(m.m[1][0])) * lost_s + (norm2(m.m[0][1]) + norm2(m.m[1][1])) * lost_p);
+    const auto boundary = absorbing_boundary<double>(d, node.wave.field, node.throughput, normal, {from.n, from.kappa},
+                                                     {to.n, to.kappa}, k1, to.kind != MediumKind::isotropic);
+    take_both(boundary, k1, boundary.behind);
+    out.absorbed = boundary.absorbed;
 }
 
 /// A crystal on one side or both, through the general solver.

@@ -232,9 +232,10 @@ private:
                 alpha = mode_absorption(medium.absorption, d.n, d.n_e, d.axis, node.wave.field[0], node.wave.k,
                                         node.wave.ray);
         }
-        const double lost = node.weight * -std::expm1(-alpha * crossing.distance);
+        const Attenuation<double> along = attenuation(alpha, crossing.distance);
+        const double lost = node.weight * along.lost;
         result_.absorbed += lost;
-        node.throughput.scale(std::exp(-0.5 * alpha * crossing.distance));
+        node.throughput.scale(along.amplitude);
         node.weight -= lost;
         return true;
     }

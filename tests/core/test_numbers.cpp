@@ -5,9 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/complex.h"
+#include "core/exponential.h"
 #include "core/hypot.h"
+#include "core/lanes.h"
 #include "core/quad.h"
 #include "core/random.h"
 
@@ -108,6 +112,106 @@ TEST(Random, IsUniformOverPixels) {
     }
     EXPECT_NEAR(sum / n, 0.0, 5.0 / std::sqrt(12.0 * n));
     EXPECT_NEAR(squares / n, 1.0 / 12.0, 5.0 / std::sqrt(180.0 * n));
+}
+
+// From 2^-60 to 1, up to 40, and to where the exponential leaves the numbers, of both signs.
+double exponent(std::uint32_t number) {
+    const RandomKey key{0, number, 3, 0};
+    const double to_one = 2.0 * random_unit(key, 1) - 1.0;
+    switch (number % 4) {
+        case 0:
+            return std::ldexp(to_one, -static_cast<int>(random_bits(key, 2) % 60U));
+        case 1:
+            return 1.2 * to_one;
+        case 2:
+            return 40.0 * to_one;
+        default:
+            return 745.0 * to_one;
+    }
+}
+
+/// Taylor's series where e^x - 1 cancels.
+Quad exp_less_one(const Quad& x) {
+    if (abs(x) > Quad(0.5)) return exp(x) - Quad(1);
+    Quad sum = x;
+    Quad term = x;
+    for (int n = 2; n < 32; ++n) {
+        term = term * x / Quad(n);
+        sum += term;
+    }
+    return sum;
+}
+
+Quad unit_in_last_place(double a) {
+    return Quad(std::nextafter(std::abs(a), std::numeric_limits<double>::infinity()) - std::abs(a));
+}
+
+void expect_within_one_unit(double found, const Quad& exact, double x) {
+    if (std::isinf(found)) return;
+    EXPECT_LE(abs(exact - Quad(found)), unit_in_last_place(found)) << x;
+}
+
+TEST(Exponential, IsOffByLessThanOneUnitInTheLastPlace) {
+    for (std::uint32_t i = 0; i < 200000; ++i) {
+        const double x = exponent(i);
+        expect_within_one_unit(exponential(x), exp(Quad(x)), x);
+        expect_within_one_unit(exponential_less_one(x), exp_less_one(Quad(x)), x);
+    }
+}
+
+TEST(Exponential, EndsWhereTheNumbersEnd) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double smallest = std::numeric_limits<double>::denorm_min();
+    for (const double x : {0.0, -0.0, smallest, -smallest}) {
+        EXPECT_EQ(exponential(x), 1.0);
+        EXPECT_EQ(exponential_less_one(x), x);
+        EXPECT_EQ(std::signbit(exponential_less_one(x)), std::signbit(x));
+    }
+    // Beside ln(2^1024) = 709.7827 and ln(2^-1075) = -745.1332.
+    EXPECT_TRUE(std::isfinite(exponential(709.782)) && std::isfinite(exponential_less_one(709.782)));
+    EXPECT_EQ(exponential(-745.133), smallest);
+    for (const double x : {709.783, 1e4, 1e300, infinity}) {
+        EXPECT_EQ(exponential(x), infinity);
+        EXPECT_EQ(exponential_less_one(x), infinity);
+    }
+    for (const double x : {-745.134, -1e4, -1e300, -infinity}) {
+        EXPECT_EQ(exponential(x), 0.0);
+        EXPECT_EQ(exponential_less_one(x), -1.0);
+    }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(exponential(nan)) && std::isnan(exponential_less_one(nan)));
+}
+
+// What lanes are for: a formula over them has the bits that it has over doubles.
+TEST(Lanes, TheFormulasOfThisRoomHaveTheBitsOfASingleNumber) {
+    using Pair = Lanes<2>;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> numbers{0.0, -0.0, 1.0, -1.0, 709.783, -745.14, infinity, -infinity, nan, 1e-310, -3e300};
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        numbers.push_back(exponent(i));
+        numbers.push_back(leg(i, 1));
+    }
+    const auto expect_same = [](const Pair& found, double first, double second, double x) {
+        alignas(16) double each[2];
+        found.store(each);
+        for (const auto& [got, expected] : {std::pair(each[0], first), std::pair(each[1], second)})
+            EXPECT_TRUE(std::bit_cast<std::uint64_t>(got) == std::bit_cast<std::uint64_t>(expected) ||
+                        (std::isnan(got) && std::isnan(expected)))
+                << x;
+    };
+    for (std::size_t i = 1; i < numbers.size(); ++i) {
+        alignas(16) const double both[2]{numbers[i - 1], numbers[i]};
+        const Pair x = Pair::load(both);
+        expect_same(exponential(x), exponential(both[0]), exponential(both[1]), both[1]);
+        expect_same(exponential_less_one(x), exponential_less_one(both[0]), exponential_less_one(both[1]), both[1]);
+        expect_same(hypot(x, Pair(0.3)), hypot(both[0], 0.3), hypot(both[1], 0.3), both[1]);
+        const Complex<Pair> root = sqrt_decaying(Complex<Pair>(x, Pair(both[0])));
+        const C first = sqrt_decaying(C(both[0], both[0]));
+        const C second = sqrt_decaying(C(both[1], both[0]));
+        expect_same(root.re, first.re, second.re, both[1]);
+        expect_same(root.im, first.im, second.im, both[1]);
+    }
 }
 
 }  // namespace

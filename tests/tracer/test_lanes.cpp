@@ -57,15 +57,18 @@ struct LaneScene {
     Scene scene;
 };
 
-Scene scene_of(const std::string& camera, const std::string& objects, double n) {
-    Scene scene =
-        test::scene_of("camera: {" + camera + "}\nmedia: {glass: " + std::to_string(n) + "}\nobjects:\n" + objects);
+Scene scene_of(const std::string& camera, const std::string& objects, const std::string& glass) {
+    Scene scene = test::scene_of("camera: {" + camera + "}\nmedia: {" + glass + "}\nobjects:\n" + objects);
     scene.render.width = 31;
     scene.render.height = 23;
     scene.render.mode = SampleMode::area;
     scene.render.samples_per_pixel = 5;
     scene.render.residual = 1e-4;
     return scene;
+}
+
+Scene scene_of(const std::string& camera, const std::string& objects, double n) {
+    return scene_of(camera, objects, "glass: " + std::to_string(n));
 }
 
 std::vector<LaneScene> scenes() {
@@ -106,6 +109,19 @@ std::vector<LaneScene> scenes() {
     all.push_back({"textured lamp", scene_of(far, gem + card, 1.8)});
     all.push_back({"backs of lamps and black things", scene_of(far, gem + backs + lamp, 1.5)});
     all.back().scene.render.wavelengths_nm = {450.0, 550.0};
+    all.push_back({"jewel of a glass on record", scene_of(far, gem + card, "glass: n-bk7")});
+    all.back().scene.render.wavelengths_nm = {400.0, 580.0, 700.0};
+    all.push_back({"smoky jewel", scene_of(far, gem + disk, "glass: {index: 1.8, absorption: 0.7}")});
+    all.push_back({"dark glass", scene_of(far, box + lamp, "glass: {index: 1.5, absorption: 300}")});
+    all.push_back({"glass that wavelengths of some color pass",
+                   scene_of(far, prism + lamp,
+                            "glass: {index: 1.9, absorption: {table: [[400, 0], [500, 0], [501, 0.8], [700, 1]]}}")});
+    all.back().scene.render.wavelengths_nm = {450.0, 490.0, 550.0};
+    all.push_back(
+        {"smoky jewel with a small budget", scene_of(far, gem + lamp, "glass: {index: 2.417, absorption: 0.1}")});
+    all.back().scene.render.node_budget = 5;
+    all.push_back(
+        {"thin air that absorbs, like vacuum else", scene_of(flat, box + lamp, "glass: {index: 1, absorption: 0.5}")});
     return all;
 }
 
