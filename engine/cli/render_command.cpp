@@ -49,7 +49,7 @@ double cpu_seconds() {
 Result<Done> refine(Scene& scene, std::shared_ptr<const Plan>& plan, double residual, bool quiet) {
     if (!quiet)
         remark(fmt::format("too much light is untraced: residual {:.3g} instead of {:.3g}\n", residual,
-                           scene.render.residual));
+                           scene.render.residual_in_force()));
     scene.render.residual = residual;
     POL_TRY(auto finer_plan, compile(scene));
     plan = std::move(finer_plan);
@@ -67,7 +67,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
     bool goal_told = request.quiet;
     if (request.error) {
         const double residual = residual_for(*plan, cheapest_goal(*plan, *request.error));
-        if (residual < scene.render.residual) POL_TRY_DONE(refine(scene, plan, residual, request.quiet));
+        if (residual < scene.render.residual_in_force()) POL_TRY_DONE(refine(scene, plan, residual, request.quiet));
     }
     for (;;) {
         RenderOptions options;
@@ -97,7 +97,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         if (progress.reason == StopReason::memory) throw std::bad_alloc();
         if (progress.reason != StopReason::truncation) return outcome;
 
-        const auto finer = finer_residual(outcome.reports.back(), scene.render.residual, *progress.goal);
+        const auto finer = finer_residual(outcome.reports.back(), scene.render.residual_in_force(), *progress.goal);
         if (!finer || (request.seconds && outcome.seconds >= *request.seconds)) return outcome;
         POL_TRY_DONE(refine(scene, plan, *finer, request.quiet));
     }

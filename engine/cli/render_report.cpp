@@ -96,12 +96,15 @@ void add_setting(Json& out, const RenderSetting& setting, const RenderSettings& 
                    },
                    [&](const WavelengthsSetting& kind) { value = settings.*kind.nm; },
                    [&](const ChoiceSetting& kind) { value = kind.words[static_cast<std::size_t>(kind.get(settings))]; },
-                   [&](const NumberSetting& kind) { value = settings.*kind.value; },
                    [&](const WholeSetting& kind) { value = settings.*kind.value; },
                    [&](const LimitSetting& kind) {
                        if (settings.*kind.value) value = *(settings.*kind.value);
                    },
                    [&](const UsualSetting& kind) { value = (settings.*kind.value).value(); },
+                   [&](const UsualNumberSetting& kind) {
+                       const std::string_view words = kind.words(settings);
+                       value = words.empty() ? Json((settings.*kind.in_force)()) : Json(words);
+                   },
                    [&](const SeedSetting& kind) { value = settings.*kind.value; },
                    [&](const FlagSetting& kind) { value = settings.*kind.value; },
                },

@@ -79,10 +79,6 @@ std::optional<Error> set(const RenderSetting& setting, const GivenSetting& given
                               kind.set(settings, static_cast<int>(found - kind.words.begin()));
                               return none;
                           },
-                          [&](const NumberSetting& kind) -> Problem {
-                              settings.*kind.value = std::get<double>(given);
-                              return none;
-                          },
                           [&](const WholeSetting& kind) -> Problem {
                               settings.*kind.value = std::get<int>(given);
                               return none;
@@ -93,6 +89,10 @@ std::optional<Error> set(const RenderSetting& setting, const GivenSetting& given
                           },
                           [&](const UsualSetting& kind) -> Problem {
                               settings.*kind.value = std::get<int>(given);
+                              return none;
+                          },
+                          [&](const UsualNumberSetting& kind) -> Problem {
+                              settings.*kind.value = std::get<double>(given);
                               return none;
                           },
                           [&](const SeedSetting& kind) -> Problem {
@@ -128,10 +128,10 @@ void add_scene_options(ProgramCommand command, SceneOptions& options) {
                        [&](const ChoiceSetting& kind) {
                            add_setting<std::string>(command, setting, options).type_name(join(kind.words, "|"));
                        },
-                       [&](const NumberSetting& /*kind*/) { add_setting<double>(command, setting, options); },
                        [&](const WholeSetting& /*kind*/) { add_setting<int>(command, setting, options); },
                        [&](const LimitSetting& /*kind*/) { add_setting<int>(command, setting, options); },
                        [&](const UsualSetting& /*kind*/) { add_setting<int>(command, setting, options); },
+                       [&](const UsualNumberSetting& /*kind*/) { add_setting<double>(command, setting, options); },
                        [&](const SeedSetting& /*kind*/) {
                            add_setting<std::uint64_t>(command, setting, options).check(seed_problem);
                        },

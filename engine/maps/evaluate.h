@@ -52,7 +52,7 @@ struct Map {
 
 /// Degree of polarization (for the azimuth: of linear polarization) from which azimuth, ellipticity and handedness
 /// are shown at full weight. Below it the weight falls linearly to 0.
-inline constexpr double full_weight_polarization = 0.05;
+inline constexpr double full_weight_polarization = weak_polarization;
 
 /// Where S0, what was left out included, is below this part of what the picture's brightest pixel surely has, a value
 /// that is not determined is missing because it is dark.

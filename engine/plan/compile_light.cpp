@@ -8,6 +8,7 @@
 #include "core/result.h"
 #include "plan/compile_media.h"
 #include "scene/place.h"
+#include "spectrum/color.h"
 #include "spectrum/illuminant.h"
 #include "spectrum/rgb_spectrum.h"
 
@@ -95,6 +96,7 @@ namespace {
 struct CompiledRadiance {
     std::variant<std::vector<double>, PlanTexture> radiance;
     std::vector<double> largest;
+    double luminance = 0.0;  // the largest
 };
 
 Result<CompiledRadiance> compile_radiance(const Radiance& radiance, const std::vector<double>& wavelengths) {
@@ -105,24 +107,33 @@ Result<CompiledRadiance> compile_radiance(const Radiance& radiance, const std::v
             out.largest.push_back(value);
         }
         out.radiance = out.largest;
+        out.luminance = luminance(*spectrum);
         return out;
     }
     const auto& textured = std::get<TexturedRadiance>(radiance);
-    PlanTexture texture{textured.image, {}};
+    PlanTexture texture{textured.image, {}, {}};
+    // White emits D65 (spectrum/rgb_spectrum.h), whose luminance is 1.
+    for (std::size_t c = 0; c < 3; ++c) {
+        Rgb primary{};
+        primary[c] = textured.scale;
+        texture.luminance[c] = to_xyz(primary)[1];
+    }
+    const auto largest_with = [&](const auto& weight) {
+        double largest = 0.0;
+        for (std::size_t i = 0; i + 2 < textured.image->rgb.size(); i += 3) {
+            double value = 0.0;
+            for (std::size_t c = 0; c < 3; ++c) value += static_cast<double>(textured.image->rgb[i + c]) * weight(c);
+            largest = std::max(largest, value);
+        }
+        return largest;
+    };
     for (const double nm : wavelengths) {
         POL_TRY(const auto basis, rgb_basis_at(nm));
         for (std::size_t c = 0; c < 3; ++c) texture.basis[c].push_back(textured.scale * basis[c]);
     }
-    for (std::size_t w = 0; w < wavelengths.size(); ++w) {
-        double largest = 0.0;
-        for (std::size_t i = 0; i + 2 < textured.image->rgb.size(); i += 3) {
-            double value = 0.0;
-            for (std::size_t c = 0; c < 3; ++c)
-                value += static_cast<double>(textured.image->rgb[i + c]) * texture.basis[c][w];
-            largest = std::max(largest, value);
-        }
-        out.largest.push_back(largest);
-    }
+    for (std::size_t w = 0; w < wavelengths.size(); ++w)
+        out.largest.push_back(largest_with([&](std::size_t c) { return texture.basis[c][w]; }));
+    out.luminance = largest_with([&](std::size_t c) { return texture.luminance[c]; });
     out.radiance = std::move(texture);
     return out;
 }
@@ -174,10 +185,14 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
         if (!value) return at_place(value.error(), scene, scene.background.place);
         plan.background.push_back(value.value());
     }
+    plan.background_luminance = luminance(scene.background.radiance);
+    const auto group_of = [&](std::size_t w) -> WavelengthGroup& {
+        return plan.groups[static_cast<std::size_t>(plan.group_of_wavelength[w])];
+    };
     // Radiance seen from a camera in a dense medium grows with n^2.
     std::vector<double> largest_factor(plan.wavelengths_nm.size(), 1.0);
     for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
-        const auto& media = plan.groups[static_cast<std::size_t>(plan.group_of_wavelength[w])].media;
+        const auto& media = group_of(w).media;
         double smallest = smallest_ray_index2(media[0].dielectric);
         double camera = 0.0;
         for (std::size_t r = 0; r < plan.regions.size(); ++r) {
@@ -192,6 +207,7 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
         }
         largest_factor[w] = camera / smallest;
         plan.brightest[w] = plan.background[w] * largest_factor[w];
+        group_of(w).brightest_luminance = plan.background_luminance * largest_factor[w];
     }
     for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
         const auto* role = std::get_if<EmitterRole>(&plan.surfaces[i].role);
@@ -211,6 +227,7 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
         auto radiance = compile_radiance(emission.radiance, plan.wavelengths_nm);
         if (!radiance) return at_object(radiance.error(), scene, index);
         emitter.radiance = std::move(radiance.value().radiance);
+        emitter.luminance = radiance.value().luminance;
         emitter.two_sided = emission.two_sided;
         if (!std::holds_alternative<Unpolarized>(emission.state)) {
             const int body = plan.solid_count() + static_cast<int>(i);
@@ -237,8 +254,11 @@ Result<Done> compile_light(const Scene& scene, Plan& plan) {
             compiled.fresnel = plate->fresnel;
         }
         for (std::size_t w = 0; w < plan.wavelengths_nm.size(); ++w) {
-            emitter.brightest.push_back(radiance.value().largest[w] * brightest_per_radiance(emission.state));
+            const double state = brightest_per_radiance(emission.state);
+            emitter.brightest.push_back(radiance.value().largest[w] * state);
             plan.brightest[w] = std::max(plan.brightest[w], emitter.brightest[w] * largest_factor[w]);
+            double& luminance = group_of(w).brightest_luminance;
+            luminance = std::max(luminance, emitter.luminance * state * largest_factor[w]);
         }
     }
     return Done{};

@@ -13,10 +13,12 @@
 
 namespace pol {
 
-/// Texture in the plan: spectral radiance = sum over c of rgb[c] * basis[c][wavelength], `scale` included in the basis.
+/// Texture in the plan: spectral radiance = sum over c of rgb[c] * basis[c][wavelength], `scale` included in the basis,
+/// luminance = sum over c of rgb[c] * luminance[c], too.
 struct PlanTexture {
     std::shared_ptr<const RgbImage> image;
     std::array<std::vector<double>, 3> basis;
+    std::array<double, 3> luminance{};
 };
 
 /// FixedState in world space. `x_axis` is unit.
@@ -38,6 +40,7 @@ struct Emitter {
     std::variant<std::vector<double>, PlanTexture> radiance;  ///< per wavelength, or a texture
     std::variant<Unpolarized, PlanFixedState, PlanCrystalPlate> state;
     bool two_sided = false;
+    double luminance = 0.0;  ///< spectrum/illuminant.h, of the brightest texel if there is a texture
     /// Twice the largest eigenvalue of any coherence matrix it emits, per wavelength: the L_max of the error bound.
     std::vector<double> brightest;
 };

@@ -38,6 +38,8 @@ struct WavelengthGroup {
     /// Of the places of its samples in a pixel: 0, those that all wavelengths share, or in a scene with dispersion the
     /// wavelength's own. Light refracts by what it is, not by what the scene's index is: twins keep their places.
     std::uint32_t places = 0;
+    /// As Plan::brightest, if the radiance of every lamp were its luminance.
+    double brightest_luminance = 0.0;
 };
 
 constexpr std::size_t max_nested_meshes = 8;
@@ -73,6 +75,7 @@ struct Plan {
     std::vector<Surface> surfaces;
     std::vector<Emitter> emitters;
     std::vector<double> background;  ///< radiance per wavelength
+    double background_luminance = 0.0;
     std::vector<Region> regions;
     CameraModel camera;
     int camera_region = 0;            ///< region of the camera if it is the same for all pixels, else -1

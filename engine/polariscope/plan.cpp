@@ -101,7 +101,8 @@ Result<RayLight> trace_ray(const Plan& plan, const Ray& ray, std::uint32_t sampl
             task.group = static_cast<int>(g);
             task.region = region;
             task.key = {p.settings.seed, 0, sample, p.groups[g].key};
-            task.residual = p.settings.residual;
+            task.residual = p.settings.residual_in_force();
+            task.until_determined = p.settings.until_determined();
             task.node_budget = p.settings.node_budget.value();
             std::vector<pol::Stokes<double>> light(members.size());
             const pol::TraceResult result =

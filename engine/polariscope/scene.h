@@ -29,7 +29,9 @@ struct RenderSettings {
     std::vector<double> wavelengths_nm{580.0};  ///< of vacuum, ascending
     SampleMode mode = SampleMode::point;
     int samples_per_pixel = 1;
-    double residual = 1e-3;    ///< largest share of a pixel's light path that may stay untraced, 0 to 1
+    /// Largest share of a pixel's light path that may stay untraced, 0 to 1; none: 1e-3, and in mode point as much less
+    /// as it takes until the maps are determined.
+    std::optional<double> residual;
     std::optional<int> depth;  ///< interfaces after which a branch ends; none: trees are cut by energy alone
     /// Branches of a tree that are followed before one random path stands for the rest; none: 1000, or 12 in mode area
     /// where trees branch (crystals, several solids).

@@ -113,4 +113,24 @@ MeasureBounds<Real> measure_bounds(const Stokes<Real>& estimate, const Real& mis
     return bounds;
 }
 
+/// Degree of polarization below which the polarized part is too weak for its state to be asked for.
+inline constexpr double weak_polarization = 0.05;
+/// Width of a bar, of a quantity between 0 and 1, that counts as determined.
+inline constexpr double determined_width = 0.1;
+
+/// Whether the bars of DoP and ellipticity of `estimate` are at most determined_width wide, or that of the DoP is and
+/// lies below weak_polarization. `missing` as in measure_bounds, without surplus.
+///
+/// The bar of the DoP is at most 2 missing/(S0 + missing) wide (share_bounds). That of chi is 2 half_viewing_angle =
+/// asin(missing/p) <= pi/2 missing/p wide, and d tan(chi)/d chi <= 2 for |chi| <= pi/4.
+inline bool is_determined(const Stokes<double>& estimate, double missing) {
+    const double most = estimate.s0 + missing;
+    if (2.0 * missing > determined_width * most) return false;
+    const double square = estimate.s1 * estimate.s1 + estimate.s2 * estimate.s2 + estimate.s3 * estimate.s3;
+    const double weak = weak_polarization * most - missing;
+    if (weak > 0.0 && square < weak * weak) return true;
+    const double least = pi / determined_width * missing;
+    return square >= least * least;
+}
+
 }  // namespace pol

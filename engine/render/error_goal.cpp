@@ -60,8 +60,8 @@ ErrorGoal cheapest_goal(const Plan& plan, double error) {
     if (settings.mode == SampleMode::point) return {error, 1.0};
     if (settings.depth) return {error, 0.5};
     constexpr double finer = 8.0;
-    const double branches = survey(plan, settings.residual).branches;
-    const double more_branches = survey(plan, settings.residual / finer).branches;
+    const double branches = survey(plan, settings.residual_in_force()).branches;
+    const double more_branches = survey(plan, settings.residual_in_force() / finer).branches;
     const double growth = (more_branches - branches) / std::log(finer) / more_branches;
     return {error, std::clamp(growth / (growth + 4.0 / 3.0), 0.01, 0.5)};
 }
@@ -69,14 +69,14 @@ ErrorGoal cheapest_goal(const Plan& plan, double error) {
 double residual_for(const Plan& plan, const ErrorGoal& goal) {
     constexpr double finest = 1e-9;
     constexpr double margin = 0.7;  // 256 trees know light and residual of the picture to some ten per cent
-    double residual = plan.settings.residual;
+    double residual = plan.settings.residual_in_force();
     for (int look = 0; look < 4 && residual > finest; ++look) {
         const double truncation = survey(plan, residual).truncation;
         if (truncation <= margin * goal.truncation()) return residual;
         if (!std::isfinite(truncation)) break;
         residual *= 0.9 * margin * goal.truncation() / truncation;
     }
-    return plan.settings.residual;
+    return plan.settings.residual_in_force();
 }
 
 }  // namespace pol

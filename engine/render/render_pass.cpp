@@ -68,6 +68,7 @@ public:
             for (std::size_t group = 0; group < groups; ++group) {
                 TraceTask task = sample_task(plan_, x, y, 0, static_cast<int>(group));
                 task.residual = std::max(task.residual, preview_residual);
+                task.until_determined = false;
                 task.node_budget = std::min(task.node_budget, preview_node_budget);
                 const TraceResult result = trace_light(task);
                 add_light(group, light_, &strip.stokes[column * wavelengths], 1.0);

@@ -21,7 +21,7 @@ struct RenderSettings {
     std::vector<double> wavelengths_nm{580.0};
     SampleMode mode = SampleMode::point;
     int samples_per_pixel = 1;
-    double residual = 1e-3;          ///< largest share of a pixel that may stay untraced
+    std::optional<double> residual;  ///< largest share of a pixel that may stay untraced; none: usual_residual
     std::optional<int> depth;        ///< the paper's depth limit; none: cut by energy alone
     std::optional<int> node_budget;  ///< branches a sample may follow before its random tail; none: the usual ones
                                      ///< (scene/node_budget.h)
@@ -36,6 +36,13 @@ struct RenderSettings {
     /// Samples that are random are kept apart in two halves, whose difference tells their error.
     [[nodiscard]] bool has_halves() const { return mode == SampleMode::area && samples_per_pixel > 1; }
 
+    /// Untraced at most, and less where a sample is followed until its maps are determined. That is only where the
+    /// sample is the pixel: an area picture shows the mean of many, whose bar the bright ones make, and following each
+    /// dark one would be waste.
+    static constexpr double usual_residual = 1e-3;
+    [[nodiscard]] double residual_in_force() const { return residual.value_or(usual_residual); }
+    [[nodiscard]] bool until_determined() const { return !residual && mode == SampleMode::point; }
+
     /// The paper's mode: the depth alone cuts the tree. Residual and node budget can be set again afterwards.
     void cut_by_depth_alone(int limit) {
         depth = limit;
@@ -45,9 +52,8 @@ struct RenderSettings {
 
     /// As it is unless something else is asked for.
     void cut_by_energy() {
-        const RenderSettings usual;
         depth.reset();
-        residual = usual.residual;
+        residual.reset();
         node_budget.reset();
     }
 

@@ -25,6 +25,10 @@ ChoiceSetting choice_of(std::vector<std::string_view> words) {
             }};
 }
 
+std::string_view residual_words(const RenderSettings& settings) {
+    return settings.until_determined() ? "until-determined" : "";
+}
+
 std::optional<Error> problem(std::string what, std::string_view hint) {
     return Error{ErrorKind::input, std::move(what), {}, {}, std::string(hint)};
 }
@@ -50,9 +54,12 @@ const std::vector<RenderSetting>& render_settings() {
          "point or area", choice_of<&RenderSettings::mode>({"point", "area"})},
         {"spp", "spp_wanted", "samples per pixel", "Samples per pixel", "1 to 64 is usual",
          WholeSetting{&RenderSettings::samples_per_pixel, 1, 1 << 24, 0.2}},
-        {"residual", "residual_target", "residual", "Largest share of a pixel that may stay untraced, for example 1e-3",
-         "1e-3 means that at most 0.1 % of a pixel stays untraced",
-         NumberSetting{&RenderSettings::residual, 0.0, 1.0, 1e-5}},
+        {"residual", "residual_target", "residual",
+         "Largest share of a pixel that may stay untraced, for example 1e-3; without it mode point goes on until the "
+         "maps are determined",
+         "1e-3 means that at most 0.1 % of a pixel stays untraced; leave it out to go on until the maps are determined",
+         UsualNumberSetting{&RenderSettings::residual, &RenderSettings::residual_in_force, residual_words, 0.0, 1.0,
+                            1e-5}},
         {"depth", "depth_limit", "depth", "Cut the tree after this many interfaces (the paper: 9) instead of by energy",
          "the paper used 9; leave it out to cut by energy alone",
          LimitSetting{&RenderSettings::depth, &RenderSettings::cut_by_depth_alone, &RenderSettings::cut_by_energy, 0,
@@ -103,9 +110,6 @@ std::optional<Error> setting_problem(const RenderSetting& setting, const RenderS
                                                  : problem(wavelengths.error().what, wavelengths.error().hint);
                           },
                           [&](const ChoiceSetting& /*kind*/) -> Problem { return std::nullopt; },
-                          [&](const NumberSetting& kind) {
-                              return limits_problem(settings.*kind.value, kind.least, kind.most, setting.hint);
-                          },
                           [&](const WholeSetting& kind) {
                               return limits_problem(settings.*kind.value, kind.least, kind.most, setting.hint);
                           },
@@ -116,6 +120,9 @@ std::optional<Error> setting_problem(const RenderSetting& setting, const RenderS
                           [&](const UsualSetting& kind) -> Problem {
                               const std::optional<int>& value = settings.*kind.value;
                               return value ? limits_problem(*value, kind.least, kind.most, setting.hint) : std::nullopt;
+                          },
+                          [&](const UsualNumberSetting& kind) {
+                              return limits_problem((settings.*kind.in_force)(), kind.least, kind.most, setting.hint);
                           },
                           [&](const SeedSetting& /*kind*/) -> Problem { return std::nullopt; },
                           [&](const FlagSetting& /*kind*/) -> Problem { return std::nullopt; },

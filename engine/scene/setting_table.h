@@ -34,18 +34,11 @@ struct ChoiceSetting {
     void (*set)(RenderSettings&, int);
 };
 
-struct NumberSetting {
-    double RenderSettings::*value;
-    double least;
-    double most;
-    double per_point;  ///< how much one point of the mouse changes in the window
-};
-
 struct WholeSetting {
     int RenderSettings::*value;
     int least;
     int most;
-    double per_point;
+    double per_point;  ///< how much one point of the mouse changes in the window
 };
 
 /// A whole number that there may be. With it, and without it again, other settings change: they are set after it.
@@ -67,6 +60,16 @@ struct UsualSetting {
     double per_point;
 };
 
+/// The same of any number. In words, where it is more than a number; empty: it is not.
+struct UsualNumberSetting {
+    std::optional<double> RenderSettings::*value;
+    double (RenderSettings::*in_force)() const;
+    std::string_view (*words)(const RenderSettings&);
+    double least;
+    double most;
+    double per_point;
+};
+
 /// Any number of 64 bit.
 struct SeedSetting {
     std::uint64_t RenderSettings::*value;
@@ -77,8 +80,8 @@ struct FlagSetting {
     bool RenderSettings::*value;
 };
 
-using SettingKind = std::variant<SizeSetting, WavelengthsSetting, ChoiceSetting, NumberSetting, WholeSetting,
-                                 LimitSetting, UsualSetting, SeedSetting, FlagSetting>;
+using SettingKind = std::variant<SizeSetting, WavelengthsSetting, ChoiceSetting, WholeSetting, LimitSetting,
+                                 UsualSetting, UsualNumberSetting, SeedSetting, FlagSetting>;
 
 struct RenderSetting {
     std::string_view key;        ///< in scene files and in the attribute `settings` of pictures

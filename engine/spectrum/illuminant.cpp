@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spectrum/illuminant.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "core/number_text.h"
 #include "core/overloaded.h"
+#include "spectrum/color.h"
 #include "spectrum/interpolation.h"
 #include "spectrum/tables.h"
 
@@ -54,6 +57,27 @@ Result<double> evaluate(const Spectrum& spectrum, double wavelength_nm) {
                           },
                       },
                       spectrum);
+}
+
+double luminance(const Spectrum& spectrum) {
+    constexpr int first_nm = 380;
+    constexpr int last_nm = 780;
+    std::vector<double> grid;
+    std::vector<double> values;
+    for (int nm = first_nm; nm <= last_nm; ++nm) {
+        const double nearest =
+            std::visit(Overloaded{
+                           [&](const ConstantSpectrum&) { return double(nm); },
+                           [&](const TabulatedSpectrum& s) {
+                               return std::clamp(double(nm), s.wavelength_nm.front(), s.wavelength_nm.back());
+                           },
+                           [&](const D65Spectrum&) { return double(nm); },
+                       },
+                       spectrum);
+        grid.push_back(nm);
+        values.push_back(evaluate(spectrum, nearest).value());
+    }
+    return to_xyz(weighted_color(values, color_weights(grid)))[1];
 }
 
 }  // namespace pol

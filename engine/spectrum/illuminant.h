@@ -17,4 +17,8 @@ Result<double> d65_at(double wavelength_nm);
 /// Value of a spectrum at a vacuum wavelength. Error (kind input) outside its table: nothing is extrapolated.
 Result<double> evaluate(const Spectrum& spectrum, double wavelength_nm);
 
+/// CIE 1931 luminance relative to that of D65 (1 at 560 nm), from 380 to 780 nm; a table's ends hold on beyond them. It
+/// follows from the spectrum alone, whatever wavelengths a picture is made at.
+double luminance(const Spectrum& spectrum);
+
 }  // namespace pol

@@ -7,6 +7,7 @@
 
 #include "core/contract.h"
 #include "plan/lanes.h"
+#include "tracer/determined.h"
 #include "tracer/leaf_light.h"
 #include "tracer/sample_task.h"
 
@@ -120,7 +121,7 @@ void LaneTracer<absorbing>::begin_samples() {
     bool any = false;
     for (int lane = 0; lane < rays; ++lane) {
         const std::size_t sample = first + static_cast<std::size_t>(lane);
-        if (plan_.settings.residual >= 1.0 || plan_.settings.node_budget.value() < 1) {
+        if (plan_.settings.residual_in_force() >= 1.0 || plan_.settings.node_budget.value() < 1) {
             results_[sample] = scalar_.trace(task(sample), sums(sample));
             continue;
         }
@@ -196,10 +197,15 @@ void LaneTracer<absorbing>::follow_inside() {
 template <bool absorbing>
 bool LaneTracer<absorbing>::goes_on(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
     const double weight = branches.weight[lane];
-    if (weight > plan_.settings.residual) {
-        if (results_[sample].nodes < static_cast<std::uint32_t>(plan_.settings.node_budget.value())) return true;
-        hand_over(branches, lane, facet, sample);
-        return false;
+    const RenderSettings& settings = plan_.settings;
+    const std::uint32_t nodes = results_[sample].nodes;
+    const bool is_above = weight > settings.residual_in_force();
+    if (is_above || (settings.until_determined() && !maps_are_determined(*group_, results_[sample], weight))) {
+        if (nodes < static_cast<std::uint32_t>(settings.node_budget.value())) return true;
+        if (is_above) {
+            hand_over(branches, lane, facet, sample);
+            return false;
+        }
     }
     results_[sample].residual += weight;
     finish(sample);
@@ -232,12 +238,13 @@ void LaneTracer<absorbing>::end_outside(const LaneBranches& branches, int lane, 
     const Stokes<double> unpolarized{sights_.unpolarized[0][lane], sights_.unpolarized[1][lane],
                                      sights_.unpolarized[2][lane], sights_.unpolarized[3][lane]};
     // Outside is where the camera is: radiance_factor() is 1 there.
-    const auto add = [&](const std::vector<double>& radiance) {
+    const auto add = [&](const std::vector<double>& radiance, double luminance) {
         for (std::size_t i = 0; i < wavelengths_; ++i)
             sum[i] += radiance[static_cast<std::size_t>(group_->wavelengths[i])] * unpolarized;
+        result.seen += luminance * unpolarized;
         result.resolved += branches.weight[lane];
     };
-    if (sights_.surface[lane] < 0.0) return add(plan_.background);
+    if (sights_.surface[lane] < 0.0) return add(plan_.background, plan_.background_luminance);
     const int body = plan_.regions[0].surfaces[static_cast<std::size_t>(sights_.surface[lane])];
     const auto* role = std::get_if<EmitterRole>(&plan_.surface(body).role);
     const Emitter* emitter = role == nullptr ? nullptr : &plan_.emitters[static_cast<std::size_t>(role->emitter)];
@@ -247,7 +254,8 @@ void LaneTracer<absorbing>::end_outside(const LaneBranches& branches, int lane, 
         return;
     }
     const auto* radiance = std::get_if<std::vector<double>>(&emitter->radiance);
-    if (radiance != nullptr && std::holds_alternative<Unpolarized>(emitter->state)) return add(*radiance);
+    if (radiance != nullptr && std::holds_alternative<Unpolarized>(emitter->state))
+        return add(*radiance, emitter->luminance);
 
     Node node = node_of(branches, lane, 0, left_facet);
     if (!has_state_along(*emitter, node.wave.ray)) {
@@ -259,7 +267,7 @@ void LaneTracer<absorbing>::end_outside(const LaneBranches& branches, int lane, 
     crossing.normal = std::get<OpenSurface>(plan_.surface(body).shape).plane().normal;
     node.origin += node.wave.ray * crossing.distance;
     std::fill(emitted_.begin(), emitted_.end(), Stokes<double>{});
-    emitter_light(plan_, samples_.group, *emitter, node, crossing, outside_medium_.dielectric.n, emitted_);
+    result.seen += emitter_light(plan_, samples_.group, *emitter, node, crossing, outside_medium_.dielectric.n, emitted_);
     for (std::size_t i = 0; i < wavelengths_; ++i) sum[i] += emitted_[i];
     result.resolved += node.weight;
 }

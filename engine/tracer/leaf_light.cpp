@@ -76,12 +76,13 @@ const float* texel(const RgbImage& image, const DVec2& uv) {
 
 }  // namespace
 
-void background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n,
-                      std::span<Stokes<double>> light) {
+Stokes<double> background_light(const Plan& plan, const WavelengthGroup& group, const Node& node, double camera_n,
+                                std::span<Stokes<double>> light) {
     const Stokes<double> state =
         radiance_factor(medium_of(plan, group, node.region), node.wave, camera_n) * node.throughput.unpolarized();
     for (std::size_t i = 0; i < light.size(); ++i)
         light[i] = plan.background[static_cast<std::size_t>(group.wavelengths[i])] * state;
+    return plan.background_luminance * state;
 }
 
 bool has_state_along(const Emitter& emitter, const DVec3& ray) {
@@ -90,31 +91,35 @@ bool has_state_along(const Emitter& emitter, const DVec3& ray) {
     return length2(cross(state->x_axis, ray)) > parallel2;
 }
 
-void emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node, const Crossing& crossing,
-                   double camera_n, std::span<Stokes<double>> light) {
+Stokes<double> emitter_light(const Plan& plan, int group, const Emitter& emitter, const Node& node,
+                             const Crossing& crossing, double camera_n, std::span<Stokes<double>> light) {
     const WavelengthGroup& wavelengths = plan.groups[static_cast<std::size_t>(group)];
     const Dielectric<double>& medium = medium_of(plan, wavelengths, node.region);
     const bool front = dot(crossing.normal, node.wave.ray) < 0.0;
     const Stokes<double> state =
         radiance_factor(medium, node.wave, camera_n) *
         emitted_state(emitter, group, node, front ? crossing.normal : -crossing.normal, medium.n);
-    std::visit(Overloaded{
-                   [&](const std::vector<double>& radiance) {
-                       for (std::size_t i = 0; i < light.size(); ++i)
-                           light[i] = radiance[static_cast<std::size_t>(wavelengths.wavelengths[i])] * state;
-                   },
-                   [&](const PlanTexture& texture) {
-                       const float* rgb = texel(*texture.image, crossing.uv);
-                       for (std::size_t i = 0; i < light.size(); ++i) {
-                           const auto w = static_cast<std::size_t>(wavelengths.wavelengths[i]);
-                           double radiance = 0.0;
-                           for (std::size_t c = 0; c < 3; ++c)
-                               radiance += static_cast<double>(rgb[c]) * texture.basis[c][w];
-                           light[i] = radiance * state;
-                       }
-                   },
-               },
-               emitter.radiance);
+    return std::visit(Overloaded{
+                          [&](const std::vector<double>& radiance) {
+                              for (std::size_t i = 0; i < light.size(); ++i)
+                                  light[i] = radiance[static_cast<std::size_t>(wavelengths.wavelengths[i])] * state;
+                              return emitter.luminance * state;
+                          },
+                          [&](const PlanTexture& texture) {
+                              const float* rgb = texel(*texture.image, crossing.uv);
+                              const auto sum = [&](const auto& weight) {
+                                  double value = 0.0;
+                                  for (std::size_t c = 0; c < 3; ++c) value += static_cast<double>(rgb[c]) * weight(c);
+                                  return value;
+                              };
+                              for (std::size_t i = 0; i < light.size(); ++i) {
+                                  const auto w = static_cast<std::size_t>(wavelengths.wavelengths[i]);
+                                  light[i] = sum([&](std::size_t c) { return texture.basis[c][w]; }) * state;
+                              }
+                              return sum([&](std::size_t c) { return texture.luminance[c]; }) * state;
+                          },
+                      },
+                      emitter.radiance);
 }
 
 }  // namespace pol

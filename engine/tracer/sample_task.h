@@ -47,7 +47,8 @@ inline TraceTask sample_task(const Plan& plan, int x, int y, std::uint32_t sampl
     task.ray = plan.camera.ray(place.x, place.y);
     task.group = group;
     task.region = plan.camera_region >= 0 ? plan.camera_region : plan.region_at(task.ray.origin);
-    task.residual = plan.settings.residual;
+    task.residual = plan.settings.residual_in_force();
+    task.until_determined = plan.settings.until_determined();
     task.node_budget = plan.settings.node_budget.value();
     return task;
 }

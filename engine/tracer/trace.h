@@ -6,9 +6,9 @@
 //     resolved + absorbed + open = 1,
 // and the light still missing from the pixel is positive semidefinite with trace at most open * L_max. A branch that is
 // surely on its way to a lamp, the background or a black surface ends as soon as it is born; of the others the heaviest
-// is followed first (NodeQueue) until the open weight falls below the target. A convex glass stone never has more than
-// one. Where the node budget ends first, one random path, chosen with probability proportional to weight, estimates the
-// rest without bias.
+// is followed first (NodeQueue) until the open weight falls below the target, or further, until the maps are determined
+// (determined.h). A convex glass stone never has more than one. Where the node budget ends above the target, one random
+// path, chosen with probability proportional to weight, estimates the rest without bias.
 //
 // The picture and its explanation run this same function with different observers (tracer/observers.h).
 #pragma once
@@ -24,6 +24,7 @@
 #include "optics/wave.h"
 #include "plan/plan.h"
 #include "tracer/crossing.h"
+#include "tracer/determined.h"
 #include "tracer/leaf_light.h"
 #include "tracer/node.h"
 #include "tracer/node_queue.h"
@@ -74,13 +75,12 @@ private:
     /// From current_ on, if it is `going`.
     TraceResult follow_all(const TraceTask& task, bool going) {
         Node& node = current_;
-        const double target = task.residual;
         const auto budget = static_cast<std::uint32_t>(task.node_budget);
         LeafReason cut = LeafReason::residual;
         std::uint32_t asked = 0;
-        while (going && node.weight + queue_.open_weight() > target) {
+        while (going && goes_on(task, *group_, result_, node.weight + queue_.open_weight())) {
             if (result_.nodes >= budget) {
-                cut = LeafReason::node_budget;
+                if (node.weight + queue_.open_weight() > task.residual) cut = LeafReason::node_budget;
                 break;
             }
             if (result_.nodes - asked >= nodes_between_questions) {
@@ -242,13 +242,15 @@ private:
 
     void end_on_background(const Node& node) {
         light_.assign(group_->wavelengths.size(), {});
-        background_light(plan_, *group_, node, camera_n_, light_);
-        resolve(node, LeafReason::background);
+        resolve(node, LeafReason::background, background_light(plan_, *group_, node, camera_n_, light_));
     }
 
-    void resolve(const Node& node, LeafReason reason) {
-        if (plan_.settings.unpolarized)
+    void resolve(const Node& node, LeafReason reason, Stokes<double> seen) {
+        if (plan_.settings.unpolarized) {
             for (Stokes<double>& s : light_) s = {s.s0, 0.0, 0.0, 0.0};
+            seen = {seen.s0, 0.0, 0.0, 0.0};
+        }
+        result_.seen += seen;
         for (std::size_t i = 0; i < light_.size(); ++i) sums_[i] += light_[i];
         result_.resolved += node.weight;
         leaf(node, reason, light_);
@@ -262,8 +264,8 @@ private:
             if (!front && !emitter.two_sided) return absorb(node);
             if (!has_state_along(emitter, node.wave.ray)) return fail(node);
             light_.assign(group_->wavelengths.size(), {});
-            emitter_light(plan_, group_index_, emitter, node, crossing, camera_n_, light_);
-            return resolve(node, LeafReason::emitter);
+            return resolve(node, LeafReason::emitter,
+                           emitter_light(plan_, group_index_, emitter, node, crossing, camera_n_, light_));
         }
         if (const auto* role = std::get_if<SheetRole>(&surface.role)) {
             if (depth_limit >= 0 && node.depth >= depth_limit) return cut_by_depth(node);

@@ -18,6 +18,7 @@ struct TraceTask {
     RandomKey key{};
     /// How far the tree is followed, as RenderSettings has it.
     double residual = 0.0;
+    bool until_determined = false;
     int node_budget = 0;
 };
 
@@ -30,6 +31,9 @@ struct TraceResult {
     std::uint32_t nodes = 0;
     std::uint32_t failures = 0;
     bool cancelled = false;
+    /// The light that was found, if the radiance of every lamp were its luminance: what tells whether the maps are
+    /// determined (determined.h). A random tail is no part of it.
+    Stokes<double> seen{};
 };
 
 /// Largest |resolved + absorbed + residual + tail - 1| that counts as rounding. A tree of 1e5 nodes of a few dozen

@@ -72,7 +72,7 @@ std::optional<Stopped> render_to(Scene scene, double error) {
         const RenderProgress progress = renderer.progress();
         if (progress.reason == StopReason::error) return Stopped{renderer.snapshot(), progress.reports.back()};
         if (progress.reason != StopReason::truncation) return std::nullopt;
-        const auto finer = finer_residual(progress.reports.back(), scene.render.residual, *progress.goal);
+        const auto finer = finer_residual(progress.reports.back(), scene.render.residual_in_force(), *progress.goal);
         if (!finer) return std::nullopt;
         scene.render.residual = *finer;
     }

@@ -196,7 +196,7 @@ TEST(ScenePatch, AKeyGoesWithItsLine) {
         s.render.residual = RenderSettings{}.residual;
         s.render.node_budget = RenderSettings{}.node_budget;
     };
-    expect_change(source, unlimited, "# quick\n  depth: 9\n", "# quick\n  residual: 0.001\n");
+    expect_change(source, unlimited, "# quick\n  depth: 9\n", "# quick\n");
     const std::string unpolarized = with(by_hand, "spp: 1,", "unpolarized: on, spp: 1,");
     expect_change(
         unpolarized, [](Scene& s) { s.render.unpolarized = false; }, "unpolarized: on, ", "");

@@ -140,7 +140,7 @@ TEST(HalfSpacesAndEmbree, NoRayLeaksThroughAnEdgeOrCornerOfTheBrilliant) {
                 camera.horizontal_fov = 0.1;
                 TraceTask task;
                 task.ray = CameraModel(camera, 1, 1).ray(0.5, 0.5);
-                task.residual = plan->settings.residual;
+                task.residual = plan->settings.residual_in_force();
                 task.node_budget = plan->settings.node_budget.value();
                 Stokes<double> light;
                 const TraceResult r = trace_sample(*plan, task, {&light, 1});

@@ -103,6 +103,24 @@ TEST(Bounds, AreNeverViolatedByMissingLightAndARandomTail) {
     }
 }
 
+TEST(Bounds, OfDeterminedLightAreNarrow) {
+    RandomStates random;
+    int determined = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const Stokes<double> light = random.light(1.0, random.dop());
+        const double missing = std::pow(10.0, -7.0 * random.uniform());
+        if (!is_determined(light, missing)) continue;
+        ++determined;
+        constexpr double most = determined_width * (1.0 + 1e-12);
+        const auto bars = measure_bounds(light, missing);
+        EXPECT_LE(bars.dop.width(), most);
+        EXPECT_TRUE(bars.ellipticity.width() <= most || bars.dop.high <= weak_polarization) << missing;
+    }
+    EXPECT_GT(determined, 50000);
+    EXPECT_FALSE(is_determined({}, 1e-300)) << "nothing was found, but something may be there";
+    EXPECT_TRUE(is_determined({}, 0.0));
+}
+
 // The light that reaches each bar, built by hand from the proof: the missing part fully polarized along or against the
 // estimate, the tail the other way round. The estimate is strong and half polarized, so that every part stays physical.
 TEST(Bounds, AreReachedByTheWorstLight) {

@@ -35,8 +35,9 @@ Stopped render_to(Scene scene, double error, int threads = 2, int tile_size = 16
         renderer.start(test::plan_of(scene), options);
         renderer.wait();
         const RenderProgress progress = renderer.progress();
-        if (progress.reason != StopReason::truncation) return {renderer.snapshot(), progress, scene.render.residual};
-        const auto finer = finer_residual(progress.reports.back(), scene.render.residual, *progress.goal);
+        if (progress.reason != StopReason::truncation)
+            return {renderer.snapshot(), progress, scene.render.residual_in_force()};
+        const auto finer = finer_residual(progress.reports.back(), scene.render.residual_in_force(), *progress.goal);
         if (!finer) throw std::runtime_error("no residual is fine enough");
         scene.render.residual = *finer;
     }

@@ -205,7 +205,7 @@ TEST(LiveRender, ProgressSaysWhatAStatusLineShows) {
     EXPECT_GT(*progress.seconds_left, progress.seconds);
     const StokesImage image = renderer.snapshot();
     EXPECT_GT(progress.film.error.truncation, 0.0);
-    EXPECT_LE(progress.film.error.residual_max, plan->settings.residual);
+    EXPECT_LE(progress.film.error.residual_max, plan->settings.residual_in_force());
     EXPECT_LE(progress.film.error.residual_mean, progress.film.error.residual_max);
     ASSERT_TRUE(progress.film.error.sampling);
     EXPECT_GT(*progress.film.error.sampling, 0.0);

@@ -63,7 +63,7 @@ TEST(SceneCheck, NamesTheFieldThatAnEditBroke) {
              s.render.wavelengths_nm = {580.0, 580.0};
          }},
         {"render.size", [](Scene& s) { s.render.height = -1; }},
-        {"render.residual", [](Scene& s) { s.render.residual = nan; }},
+        {"render.residual", [](Scene& s) { s.render.residual = double(nan); }},
         {"media.glass.index",
          [](Scene& s) {
              std::get<IsotropicMedium>(s.media[0].matter).index = ConstantIndex{{nan, 0.0}};

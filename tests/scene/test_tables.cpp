@@ -67,15 +67,30 @@ TEST(SettingTable, LimitsBelongToWhatIsAllowedAndWhatIsBeyondComesWithAHint) {
                        [](const SizeSetting&) {},
                        [](const WavelengthsSetting&) {},
                        [](const ChoiceSetting&) {},
-                       [&](const NumberSetting& kind) { try_limits(kind, 1e-9); },
                        [&](const WholeSetting& kind) { try_limits(kind, 1); },
                        [&](const LimitSetting& kind) { try_limits(kind, 1); },
                        [&](const UsualSetting& kind) { try_limits(kind, 1); },
+                       [&](const UsualNumberSetting& kind) { try_limits(kind, 1e-9); },
                        [](const SeedSetting&) {},
                        [](const FlagSetting&) {},
                    },
                    setting.kind);
     }
+}
+
+TEST(SettingTable, SaysInWordsWhatIsMoreThanANumber) {
+    const auto words = [](const RenderSettings& settings) {
+        for (const RenderSetting& setting : render_settings())
+            if (const auto* kind = std::get_if<UsualNumberSetting>(&setting.kind)) return kind->words(settings);
+        return std::string_view("no such setting");
+    };
+    RenderSettings settings;
+    EXPECT_EQ(words(settings), "until-determined");
+    settings.residual = 1e-3;
+    EXPECT_EQ(words(settings), "");
+    settings.residual.reset();
+    settings.mode = SampleMode::area;
+    EXPECT_EQ(words(settings), "");
 }
 
 TEST(SettingTable, WhatChangesOtherSettingsIsSetBeforeThem) {

@@ -35,6 +35,37 @@ TEST(Illuminant, D65IsOneAt560AndMatchesTheTable) {
     EXPECT_NEAR(d65_at(582.5).value(), 0.940124, 1e-15);
 }
 
+// Y of CIE 1931 relative to D65: of the equal-energy spectrum, the sum of the observer over that of observer times D65.
+TEST(Illuminant, LuminanceIsWhatTheEyeMakesOfASpectrum) {
+    EXPECT_NEAR(luminance(D65Spectrum{2.5}), 2.5, 2.5 * sum_rounding);
+    EXPECT_EQ(luminance(ConstantSpectrum{0.0}), 0.0);
+    double observer = 0.0;
+    double seen_d65 = 0.0;
+    for (int nm = 380; nm <= 780; ++nm) {
+        const double share = nm == 380 || nm == 780 ? 0.5 : 1.0;  // trapezoid rule
+        observer += share * color_matching(nm)[1];
+        seen_d65 += share * color_matching(nm)[1] * d65_at(nm).value();
+    }
+    EXPECT_NEAR(luminance(ConstantSpectrum{3.0}), 3.0 * observer / seen_d65, sum_rounding);
+    // The ends of a table hold on: infrared is judged by its shortest wavelength.
+    EXPECT_NEAR(luminance(TabulatedSpectrum{{900.0, 1000.0}, {3.0, 7.0}}), 3.0 * observer / seen_d65, sum_rounding);
+}
+
+// A lamp of one primary has the luminance of its color (to_xyz).
+TEST(Illuminant, ThePrimariesShareTheLuminanceOfWhite) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        TabulatedSpectrum primary;
+        for (int nm = 380; nm <= 780; ++nm) {
+            primary.wavelength_nm.push_back(nm);
+            primary.value.push_back(rgb_basis_at(nm).value()[c]);
+        }
+        Rgb color{};
+        color[c] = 1.0;
+        // The basis is kept to 15 digits, and made so that color_weights() gives the color back to a few of them less.
+        EXPECT_NEAR(luminance(primary), to_xyz(color)[1], 1e-9) << c;
+    }
+}
+
 TEST(Illuminant, EndsWhereItsTableEnds) {
     EXPECT_TRUE(d65_at(300.0));
     EXPECT_TRUE(d65_at(830.0));

@@ -122,6 +122,13 @@ std::vector<LaneScene> scenes() {
     all.back().scene.render.node_budget = 5;
     all.push_back(
         {"thin air that absorbs, like vacuum else", scene_of(flat, box + lamp, "glass: {index: 1, absorption: 0.5}")});
+    for (const int budget : {1000, 7}) {
+        all.push_back({"until the maps are determined", scene_of(far, gem + card, 1.5)});
+        all.back().scene.render.mode = SampleMode::point;
+        all.back().scene.render.residual.reset();
+        all.back().scene.render.node_budget = budget;
+        all.back().scene.render.wavelengths_nm = {450.0, 550.0, 650.0};
+    }
     return all;
 }
 

@@ -258,6 +258,18 @@ void limit_field(EditForm& form, const std::string& label, const std::string& he
     if (render.*kind.value) form.whole(label, *(render.*kind.value), 0.1F, help.c_str());
 }
 
+/// Of a number that was set.
+template <class Number>
+void give_back_button(EditForm& form, const std::string& label, std::optional<Number>& number) {
+    if (!number) return;
+    ImGui::SameLine();
+    if (ImGui::SmallButton(("usual##" + label).c_str())) {
+        number.reset();
+        form.apply(label);
+    }
+    name_widget("field usual " + label);
+}
+
 /// The number in force; one that was set can be given back.
 void usual_field(EditForm& form, const std::string& label, const std::string& help, const UsualSetting& kind) {
     RenderSettings& render = form.scene.render;
@@ -265,13 +277,19 @@ void usual_field(EditForm& form, const std::string& label, const std::string& he
     const bool changed = ImGui::DragInt(label.c_str(), &number, static_cast<float>(kind.per_point));
     if (changed) render.*kind.value = number;
     form.after(label, changed, help.c_str());
-    if (!(render.*kind.value)) return;
-    ImGui::SameLine();
-    if (ImGui::SmallButton(("usual##" + label).c_str())) {
-        (render.*kind.value).reset();
-        form.apply(label);
-    }
-    name_widget("field usual " + label);
+    give_back_button(form, label, render.*kind.value);
+}
+
+/// The same; what is more than a number has its words behind it.
+void usual_field(EditForm& form, const std::string& label, const std::string& help, const UsualNumberSetting& kind) {
+    RenderSettings& render = form.scene.render;
+    double number = (render.*kind.in_force)();
+    const std::string format = "%.6g " + std::string(kind.words(render));
+    const bool changed = ImGui::DragScalar(label.c_str(), ImGuiDataType_Double, &number,
+                                           static_cast<float>(kind.per_point), nullptr, nullptr, format.c_str());
+    if (changed) render.*kind.value = number;
+    form.after(label, changed, help.c_str());
+    give_back_button(form, label, render.*kind.value);
 }
 
 void setting_field(EditForm& form, const RenderSetting& setting, std::string& wavelengths) {
@@ -286,12 +304,12 @@ void setting_field(EditForm& form, const RenderSetting& setting, std::string& wa
             },
             [&](const WavelengthsSetting& kind) { wavelengths_field(form, label, help, render.*kind.nm, wavelengths); },
             [&](const ChoiceSetting& kind) { choice_field(form, label, help, kind); },
-            [&](const NumberSetting& kind) { form.number(label, render.*kind.value, kind.per_point, help.c_str()); },
             [&](const WholeSetting& kind) {
                 form.whole(label, render.*kind.value, static_cast<float>(kind.per_point), help.c_str());
             },
             [&](const LimitSetting& kind) { limit_field(form, label, help, kind); },
             [&](const UsualSetting& kind) { usual_field(form, label, help, kind); },
+            [&](const UsualNumberSetting& kind) { usual_field(form, label, help, kind); },
             [&](const SeedSetting& kind) {
                 const bool changed = ImGui::InputScalar(label.c_str(), ImGuiDataType_U64, &(render.*kind.value));
                 form.after(label, changed, help.c_str());

@@ -23,10 +23,13 @@ std::string attribute_text(const RenderSetting& setting, const RenderSettings& s
             [](const SizeSetting& /*kind*/) { return std::string(); },
             [](const WavelengthsSetting& /*kind*/) { return std::string(); },
             [&](const ChoiceSetting& kind) { return with_key(kind.words[static_cast<std::size_t>(kind.get(s))]); },
-            [&](const NumberSetting& kind) { return with_key(s.*kind.value); },
             [&](const WholeSetting& kind) { return with_key(s.*kind.value); },
             [&](const LimitSetting& kind) { return s.*kind.value ? with_key(*(s.*kind.value)) : with_key("none"); },
             [&](const UsualSetting& kind) { return with_key((s.*kind.value).value()); },
+            [&](const UsualNumberSetting& kind) {
+                const std::string_view words = kind.words(s);
+                return words.empty() ? with_key((s.*kind.in_force)()) : with_key(words);
+            },
             [&](const SeedSetting& kind) { return with_key(s.*kind.value); },
             [&](const FlagSetting& kind) { return std::string(s.*kind.value ? setting.key : ""); },
         },

@@ -266,10 +266,13 @@ std::string setting_text(const RenderSetting& setting, const RenderSettings& ren
                           [&](const ChoiceSetting& kind) {
                               return std::string(kind.words[static_cast<std::size_t>(kind.get(render))]);
                           },
-                          [&](const NumberSetting& kind) { return number_text(render.*kind.value); },
                           [&](const WholeSetting& kind) { return std::to_string(render.*kind.value); },
                           [&](const LimitSetting& kind) { return text_if_set(render.*kind.value); },
                           [&](const UsualSetting& kind) { return text_if_set(render.*kind.value); },
+                          [&](const UsualNumberSetting& kind) {
+                              const std::optional<double>& number = render.*kind.value;
+                              return number ? number_text(*number) : std::string();
+                          },
                           [&](const SeedSetting& kind) { return std::to_string(render.*kind.value); },
                           [&](const FlagSetting& kind) { return std::string(render.*kind.value ? "on" : ""); },
                       },

@@ -86,9 +86,9 @@ private:
 
 std::string key_of(const RunSetting& setting) {
     const RenderSettings& s = setting.settings;
-    return setting.series + "|" + number_text(s.residual) + "|" + (s.depth ? std::to_string(*s.depth) : "-") + "|" +
-           std::to_string(s.node_budget.value()) + "|" + std::to_string(s.samples_per_pixel) + "|" +
-           std::to_string(s.wavelengths_nm.size());
+    return setting.series + "|" + number_text(s.residual_in_force()) + "|" +
+           (s.depth ? std::to_string(*s.depth) : "-") + "|" + std::to_string(s.node_budget.value()) + "|" +
+           std::to_string(s.samples_per_pixel) + "|" + std::to_string(s.wavelengths_nm.size());
 }
 
 bool Sweep::tell(const std::string& doing) {
@@ -118,7 +118,7 @@ const RunRow* Sweep::row_of(const RunSetting& setting, std::uint64_t seed) const
     const auto found = std::find_if(result_.rows.begin(), result_.rows.end(), [&](const RunRow& row) {
         const RenderSettings& s = setting.settings;
         const bool same_depth = s.depth ? row.depth_limit == *s.depth : std::isnan(row.depth_limit);
-        return row.series == setting.series && row.residual_target == s.residual && same_depth &&
+        return row.series == setting.series && row.residual_target == s.residual_in_force() && same_depth &&
                row.node_budget == s.node_budget.value() && row.samples_per_pixel == s.samples_per_pixel &&
                row.wavelengths == static_cast<double>(s.wavelengths_nm.size()) && row.seed == static_cast<double>(seed);
     });
@@ -161,7 +161,7 @@ RenderSettings Sweep::deepest() const {
     int largest_budget = 1;
     for (const RunSetting& setting : settings_) {
         if (setting.settings.depth) continue;
-        smallest = std::min(smallest, setting.settings.residual);
+        smallest = std::min(smallest, setting.settings.residual_in_force());
         most_samples = std::max(most_samples, setting.settings.samples_per_pixel);
         largest_budget = std::max(largest_budget, setting.settings.node_budget.value());
     }
@@ -247,7 +247,7 @@ Result<Done> Sweep::find_reference() {
     const bool area = deep.mode == SampleMode::area;
     Scene probe = request_.scene;
     const bool embree = static_cast<bool>(compile(probe, {.meshes = true}));
-    result_.reference_id = std::string("own: residual ") + number_text(deep.residual) + ", " +
+    result_.reference_id = std::string("own: residual ") + number_text(deep.residual_in_force()) + ", " +
                            std::to_string(deep.node_budget.value()) + " branches, 2 x " +
                            std::to_string(deep.samples_per_pixel) +
                            (area ? " samples" : " sample at the pixel centre") +
@@ -396,7 +396,7 @@ Result<bool> Sweep::measure_setting(const RunSetting& setting, std::uint64_t see
     row.threads = request_.threads;
     row.width = settings.width;
     row.height = settings.height;
-    row.residual_target = settings.residual;
+    row.residual_target = settings.residual_in_force();
     if (settings.depth) row.depth_limit = *settings.depth;
     row.node_budget = settings.node_budget.value();
     row.samples_per_pixel = settings.samples_per_pixel;

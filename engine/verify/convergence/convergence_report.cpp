@@ -205,7 +205,7 @@ Result<std::vector<BudgetPicture>> budget_pictures(const ConvergenceRequest& req
         POL_TRY(auto plan, compile(scene));
         const StokesImage image = render_to_end(std::move(plan), {}, {.threads = request.threads}).picture;
         const double error = error_metrics(image, reference).fro_c.whole;
-        std::string caption = "residual " + fmt::format("{:g}", scene.render.residual);
+        std::string caption = "residual " + fmt::format("{:g}", scene.render.residual_in_force());
         if (scene.render.mode == SampleMode::area)
             caption += fmt::format(", {} samples", scene.render.samples_per_pixel);
         caption += fmt::format(": error {:.2e}", error);
