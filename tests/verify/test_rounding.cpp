@@ -217,7 +217,10 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedTrees, testing::ValuesIn(test::shipped_scen
 // tree_rounding: a sum of as many terms as the tree has branches, each with the rounding of 60 operations on each of 40
 // surfaces. No entry of C, and no norm of it, exceeds the brightest light.
 TEST_P(ShippedTrees, HaveNoMoreRoundingThanTheirOperationsAllow) {
-    const auto plan = test::plan_of(small(test::shipped_scene(GetParam()), 12));
+    Scene scene = small(test::shipped_scene(GetParam()), 12);
+    // Below, trees of the Wollaston prism get branches that they have not without rounding.
+    scene.render.residual = scene.render.residual.value_or(RenderSettings::usual_residual);
+    const auto plan = test::plan_of(scene);
     for (int y = 0; y < 12; ++y) {
         for (int x = 0; x < 12; ++x) {
             const Explanation e = explain(*plan, x, y, 0, 0);
