@@ -7,51 +7,24 @@
 #include "geometry/complaint.h"
 
 namespace pol {
-namespace {
-
-// Half the chord and the distance from `o` to its middle. Haines, Guenther, Akenine-Moeller, "Precision improvements
-// for ray/sphere intersection", Ray Tracing Gems (2019), ch. 7: the discriminant from the distance of the center to
-// the line, not from b^2 - c, which cancels for distant or large spheres. The roots middle -+ half then err by an ulp
-// of the larger term, which the rounding of `o` itself costs anyway.
-struct Chord {
-    double middle = 0.0;
-    double half2 = 0.0;  // negative: the line misses
-};
-
-Chord chord(const Sphere& s, const DVec3& o, const DVec3& d) {
-    const DVec3 f = o - s.center;
-    const double middle = -dot(f, d);
-    const double off_axis = std::sqrt(length2(f + middle * d));
-    return {middle, (s.radius - off_axis) * (s.radius + off_axis)};
-}
-
-}  // namespace
-
 FacetHit Sphere::exit(const DVec3& o, const DVec3& d, int skip) const {
     if (skip >= 0) {
-        const double t = -2.0 * dot(o - center, d);
-        return t > 0.0 ? FacetHit{t, 0} : FacetHit{};
+        const BallMeeting<double> meeting = leave(o, d);
+        return meeting.met ? FacetHit{meeting.distance, 0} : FacetHit{};
     }
-    const Chord c = chord(*this, o, d);
+    const Chord<double> c = chord(o, d);
     if (!(c.half2 >= 0.0)) return {};
     return {c.middle + std::sqrt(c.half2), 0};
 }
 
 FacetHit Sphere::enter(const DVec3& o, const DVec3& d, int skip) const {
     if (skip >= 0) return {};
-    const Chord c = chord(*this, o, d);
-    if (!(c.half2 > 0.0) || !(c.middle > 0.0)) return {};
-    const double t = c.middle - std::sqrt(c.half2);
-    // Rounding of a distant start turns a line that grazes into one that touches: it must run inward where it arrives.
-    return dot(normal_at(o + t * d), d) < 0.0 ? FacetHit{t, 0} : FacetHit{};
+    const BallMeeting<double> meeting = come_in(o, d);
+    return meeting.met ? FacetHit{meeting.distance, 0} : FacetHit{};
 }
 
 bool Sphere::contains(const DVec3& p, double margin) const {
     return std::sqrt(length2(p - center)) - radius < -margin;
-}
-
-DVec3 Sphere::normal_at(const DVec3& p) const {
-    return unit(p - center);
 }
 
 Result<Sphere> make_sphere(const SphereShape& shape, const DMat4& to_world) {

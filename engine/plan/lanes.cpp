@@ -40,8 +40,8 @@ std::string why_not_in_lanes(const Plan& plan) {
     if (plan.settings.depth) return "the depth is limited";
     if (plan.solids.size() != 1) return plan.solids.empty() ? "there is no solid" : "there is more than one solid";
     const Solid& solid = plan.solids.front();
-    if (!std::holds_alternative<HalfSpaceSolid>(solid.shape))
-        return "'" + solid.name + "' is not a flat-faced convex solid";
+    if (std::holds_alternative<MeshBody>(solid.shape))
+        return "'" + solid.name + "' is neither flat-faced and convex nor a ball";
     if (!solid.covers.empty() || !solid.contacts.empty()) return "something touches '" + solid.name + "'";
     if (!solid.black.empty()) return "'" + solid.name + "' has black faces";
     for (const Surface& surface : plan.surfaces)

@@ -286,7 +286,7 @@ Features list_features(const Scene& scene, const Plan& plan) {
                     : "powers are added, though this scene would show it: see below");
     const std::string one_by_one = why_not_in_lanes(plan);
     account.say("branches side by side", one_by_one.empty(),
-                one_by_one.empty() ? "one solid of glass with flat faces" : "one by one: " + one_by_one);
+                one_by_one.empty() ? "one solid of glass with flat faces, or a ball" : "one by one: " + one_by_one);
     for (std::string& doubt : doubts_of_crystal_faces(scene, plan)) features.doubts.push_back(std::move(doubt));
     for (std::string& doubt : doubts_of_absorbing_glass(plan)) features.doubts.push_back(std::move(doubt));
     features.list = std::move(account.list);

@@ -71,6 +71,31 @@ HWY_INLINE void store_child(const PairChild<Real>& child, const Vec3<Real>& s, c
     }
 }
 
+HWY_INLINE void store_hits(const Sphere& ball, const Vec3<Real>& origin, const Vec3<Real>& ray,
+                           const BallMeeting<Real>& meeting, HitBlock& hits, int lane) {
+    alignas(64) double facet[lane_width];
+    select(meeting.met, Real(0.0), Real(-1.0)).store(facet);
+    for (int i = 0; i < lane_width; ++i) hits.facet[lane + i] = static_cast<int>(facet[i]);
+    meeting.distance.store(hits.distance + lane);
+    store3(ball.normal_at(origin + ray * meeting.distance), hits.normal, lane);
+}
+
+[[gnu::flatten]] void exit_ball_step(const Sphere& ball, const RayBlock& rays, HitBlock& hits) {
+    for (int lane = 0; lane < RayBlock::size; lane += lane_width) {
+        const Vec3<Real> origin = load3(rays.origin, lane);
+        const Vec3<Real> ray = load3(rays.direction, lane);
+        store_hits(ball, origin, ray, ball.leave(origin, ray), hits, lane);
+    }
+}
+
+[[gnu::flatten]] void enter_ball_step(const Sphere& ball, const RayBlock& rays, HitBlock& hits) {
+    for (int lane = 0; lane < RayBlock::size; lane += lane_width) {
+        const Vec3<Real> origin = load3(rays.origin, lane);
+        const Vec3<Real> ray = load3(rays.direction, lane);
+        store_hits(ball, origin, ray, ball.come_in(origin, ray), hits, lane);
+    }
+}
+
 [[gnu::flatten]] void cross_step(const LaneBranches& from, const HitBlock& hits, double side, double n1, double n2,
                                  LaneBranches& reflected, LaneBranches& transmitted, double* reaches) {
     for (int lane = 0; lane < RayBlock::size; lane += lane_width) {
@@ -156,6 +181,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace pol {
 HWY_EXPORT(begin_step);
+HWY_EXPORT(exit_ball_step);
+HWY_EXPORT(enter_ball_step);
 HWY_EXPORT(cross_step);
 HWY_EXPORT(cross_absorbing_step);
 HWY_EXPORT(look_step);
@@ -163,6 +190,14 @@ HWY_EXPORT(look_step);
 void begin_in_lanes(const CameraModel& camera, const double (&x)[RayBlock::size], const double (&y)[RayBlock::size],
                     LaneBranches& branches) {
     HWY_DYNAMIC_DISPATCH(begin_step)(camera, x, y, branches);
+}
+
+void exit_ball_in_lanes(const Sphere& ball, const RayBlock& rays, HitBlock& hits) {
+    HWY_DYNAMIC_DISPATCH(exit_ball_step)(ball, rays, hits);
+}
+
+void enter_ball_in_lanes(const Sphere& ball, const RayBlock& rays, HitBlock& hits) {
+    HWY_DYNAMIC_DISPATCH(enter_ball_step)(ball, rays, hits);
 }
 
 void cross_in_lanes(const LaneBranches& from, const HitBlock& hits, double side, double n1, double n2,

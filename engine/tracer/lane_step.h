@@ -8,6 +8,7 @@
 #include "core/complex.h"
 #include "geometry/open_surface.h"
 #include "geometry/plane_scan.h"
+#include "geometry/sphere.h"
 #include "optics/attenuation.h"
 #include "plan/camera_model.h"
 
@@ -26,6 +27,10 @@ struct alignas(64) LaneBranches {
 /// Camera rays through the places (x, y) of the picture.
 void begin_in_lanes(const CameraModel& camera, const double (&x)[RayBlock::size], const double (&y)[RayBlock::size],
                     LaneBranches& branches);
+
+/// As PlaneScan::exit and enter, of a ball; what leaves it begins on its surface.
+void exit_ball_in_lanes(const Sphere& ball, const RayBlock& rays, HitBlock& hits);
+void enter_ball_in_lanes(const Sphere& ball, const RayBlock& rays, HitBlock& hits);
 
 /// At the points `hits`, from index n1 to n2; `side` is that of the normals which lean along the rays. A child of
 /// weight zero is not there. `reaches`: 0 where the ray does not go towards the boundary, a numerical failure.

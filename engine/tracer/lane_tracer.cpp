@@ -34,8 +34,9 @@ void for_each_number(Branches& branches, int lane, const Visit& visit) {
 
 template <bool absorbing>
 LaneTracer<absorbing>::LaneTracer(PlanForKernel<false, absorbing> plan)
-    : plan_(plan.plan()), scan_(std::get<HalfSpaceSolid>(plan_.solids.front().shape)), scalar_(plan, observer_) {
+    : plan_(plan.plan()), ball_(std::get_if<Sphere>(&plan_.solids.front().shape)), scalar_(plan, observer_) {
     POL_EXPECTS(why_not_in_lanes(plan_).empty());
+    if (ball_ == nullptr) planes_.emplace(std::get<HalfSpaceSolid>(plan_.solids.front().shape));
     for (const int body : plan_.regions[0].surfaces)
         surfaces_.push_back(&std::get<OpenSurface>(plan_.surface(body).shape));
 }
@@ -115,7 +116,10 @@ void LaneTracer<absorbing>::begin_samples() {
         y[lane] = in_picture.y;
     }
     begin_in_lanes(plan_.camera, x, y, camera_);
-    scan_.enter(camera_.rays, rays, hits_);
+    if (ball_ != nullptr)
+        enter_ball_in_lanes(*ball_, camera_.rays, hits_);
+    else
+        planes_->enter(camera_.rays, rays, hits_);
     look_in_lanes(camera_, surfaces_, sights_);
     bool enters[width]{};
     bool any = false;
@@ -164,7 +168,10 @@ void LaneTracer<absorbing>::enter_solid(std::size_t first, const bool (&enters)[
 /// One step of all branches in flight.
 template <bool absorbing>
 void LaneTracer<absorbing>::follow_inside() {
-    scan_.exit(inside_->rays, facet_, width, hits_);
+    if (ball_ != nullptr)
+        exit_ball_in_lanes(*ball_, inside_->rays, hits_);
+    else
+        planes_->exit(inside_->rays, facet_, width, hits_);
     cross(*inside_, 1.0, inside_medium_, outside_medium_, *reflected_, outside_);
     look_in_lanes(outside_, surfaces_, sights_);
     for (int lane = 0; lane < width; ++lane) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel for one flat-faced solid of glass (plan/lanes.h): samples side by side, each with the bits that the
-// scalar kernel gives it (trace.h).
+// The kernel for one flat-faced solid or ball of glass (plan/lanes.h): samples side by side, each with the bits that
+// the scalar kernel gives it (trace.h).
 //
 // Of every sample one branch is in flight. In a convex solid no more is open at a time: what leaves it meets lamps,
 // black surfaces or the background, and ends at once. So a sample does not depend on which others share the registers.
@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -88,7 +89,8 @@ private:
     }
 
     const Plan& plan_;
-    PlaneScan scan_;
+    const Sphere* ball_;               ///< the solid, or null
+    std::optional<PlaneScan> planes_;  ///< of the solid, if it is no ball
     std::vector<const OpenSurface*> surfaces_;
     Patient observer_;
     Tracer<false, absorbing, Patient> scalar_;

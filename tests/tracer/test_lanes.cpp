@@ -159,7 +159,12 @@ TEST(Lanes, ASceneThatTheyDoNotKnowSaysWhy) {
         "  - {name: far, shape: {box: {size: [1, 1, 1]}}, transform: [{translate: [3, 0, 0]}], medium: glass}\n";
     const auto why = [](const Scene& scene) { return why_not_in_lanes(*test::plan_of(scene)); };
     EXPECT_EQ(why(scene_of(camera, box, 1.5)), "");
-    EXPECT_EQ(why(scene_of(camera, ball, 1.5)), "'ball' is not a flat-faced convex solid");
+    EXPECT_EQ(why(scene_of(camera, ball, "glass: n-bk7")), "");
+    EXPECT_EQ(why(scene_of(camera, ball, "glass: {conductor: [0.3, 2.8]}")), "'glass' is no glass");
+    EXPECT_EQ(why(scene_of(camera, ball, "glass: {crystal: calcite}")), "the kernel is anisotropic, lossless");
+    Scene misty = scene_of(camera, ball, "glass: 1.5, mist: {index: 1, absorption: 0.1}");
+    misty.ambient = "mist";
+    EXPECT_EQ(why(misty), "'mist' around 'ball' absorbs");
     EXPECT_EQ(why(scene_of(camera, box + far_box, 1.5)), "there is more than one solid");
     Scene limited = scene_of(camera, box, 1.5);
     limited.render.depth = 9;
