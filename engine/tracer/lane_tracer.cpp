@@ -248,7 +248,7 @@ void LaneTracer<absorbing>::end_outside(const LaneBranches& branches, int lane, 
     const auto add = [&](const std::vector<double>& radiance, double luminance) {
         for (std::size_t i = 0; i < wavelengths_; ++i)
             sum[i] += radiance[static_cast<std::size_t>(group_->wavelengths[i])] * unpolarized;
-        result.seen += luminance * unpolarized;
+        if (plan_.settings.until_determined()) result.seen += luminance * unpolarized;
         result.resolved += branches.weight[lane];
     };
     if (sights_.surface[lane] < 0.0) return add(plan_.background, plan_.background_luminance);
