@@ -274,7 +274,8 @@ void LaneTracer<absorbing>::end_outside(const LaneBranches& branches, int lane, 
     crossing.normal = std::get<OpenSurface>(plan_.surface(body).shape).plane().normal;
     node.origin += node.wave.ray * crossing.distance;
     std::fill(emitted_.begin(), emitted_.end(), Stokes<double>{});
-    result.seen += emitter_light(plan_, samples_.group, *emitter, node, crossing, outside_medium_.dielectric.n, emitted_);
+    result.seen +=
+        emitter_light(plan_, samples_.group, *emitter, node, crossing, outside_medium_.dielectric.n, emitted_);
     for (std::size_t i = 0; i < wavelengths_; ++i) sum[i] += emitted_[i];
     result.resolved += node.weight;
 }

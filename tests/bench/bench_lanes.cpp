@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples per second of the kernels that follow branches one by one and side by side, on G1 and G2.
+// Samples per second of the kernels that follow branches one by one and side by side, on G1, G2, a brilliant of N-BK7
+// and a ball.
 #include <benchmark/benchmark.h>
 
 #include <atomic>
@@ -34,6 +35,10 @@ BENCHMARK_CAPTURE(trace_picture, g1_one_by_one, "g1", Follow::one_by_one);
 BENCHMARK_CAPTURE(trace_picture, g1_side_by_side, "g1", Follow::side_by_side);
 BENCHMARK_CAPTURE(trace_picture, g2_one_by_one, "g2", Follow::one_by_one);
 BENCHMARK_CAPTURE(trace_picture, g2_side_by_side, "g2", Follow::side_by_side);
+BENCHMARK_CAPTURE(trace_picture, n_bk7_one_by_one, "g1-n-bk7", Follow::one_by_one);
+BENCHMARK_CAPTURE(trace_picture, n_bk7_side_by_side, "g1-n-bk7", Follow::side_by_side);
+BENCHMARK_CAPTURE(trace_picture, ball_one_by_one, "glass-ball", Follow::one_by_one);
+BENCHMARK_CAPTURE(trace_picture, ball_side_by_side, "glass-ball", Follow::side_by_side);
 
 }  // namespace
 }  // namespace pol

@@ -120,6 +120,16 @@ std::vector<LaneScene> scenes() {
     all.push_back(
         {"smoky jewel with a small budget", scene_of(far, gem + lamp, "glass: {index: 2.417, absorption: 0.1}")});
     all.back().scene.render.node_budget = 5;
+    const std::string ball = "  - {name: ball, shape: {sphere: {radius: 0.9}}, medium: glass}\n";
+    all.push_back({"ball of glass", scene_of(far, ball + card + backs, 1.5)});
+    all.push_back({"ball that hardly bends light", scene_of(far, ball + disk, "glass: 1.0000001")});
+    all.push_back({"ball that is not there", scene_of(far, ball + lamp, 1.0)});
+    all.push_back({"bubble of less index, in light along its axis", scene_of(flat, ball + disk, 0.6)});
+    all.push_back({"drop of water on record", scene_of(far, ball + disk, "glass: water")});
+    all.back().scene.render.wavelengths_nm = {450.0, 580.0};
+    all.push_back({"ball of smoky glass", scene_of(far, ball + lamp, "glass: {index: 2.1, absorption: 0.6}")});
+    all.push_back({"ball with a small budget", scene_of(far, ball + lamp, 2.417)});
+    all.back().scene.render.node_budget = 4;
     all.push_back(
         {"thin air that absorbs, like vacuum else", scene_of(flat, box + lamp, "glass: {index: 1, absorption: 0.5}")});
     for (const int budget : {1000, 7}) {
