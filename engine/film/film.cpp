@@ -104,6 +104,11 @@ StokesImage Film::snapshot() const {
     return image;
 }
 
+StokesImage Film::blank() const {
+    const std::scoped_lock lock(mutex_);
+    return sums_->empty_image(sums_->layout.width, sums_->layout.height, {});
+}
+
 FilmStatus Film::status() const {
     const std::scoped_lock lock(mutex_);
     FilmStatus status;

@@ -79,6 +79,9 @@ public:
     /// Means of what is there now; without preview.
     [[nodiscard]] StokesImage snapshot() const;
 
+    /// The picture before anything of it is there, in the film's layout.
+    [[nodiscard]] StokesImage blank() const;
+
     [[nodiscard]] FilmStatus status() const;
 
     /// Sorts the pixels into strata by what they hold now, and keeps that until reset(). Null if the film belongs to

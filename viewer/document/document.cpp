@@ -126,7 +126,8 @@ void Document::start() {
     tile_peaks_.assign(tiles_seen_.size(), {});
     next_tile_ = 0;
     film_seen_ = 0;
-    show(std::make_shared<StokesImage>(renderer_->snapshot()));
+    // Not a snapshot: what the workers have done since is for update() to fetch.
+    show(std::make_shared<StokesImage>(renderer_->film().blank()));
 }
 
 void Document::set_stop_rules(const StopRules& rules) {
