@@ -42,7 +42,9 @@ requires(std::floating_point<Real> || is_lanes<Real>) Real hypot(const Real& a, 
     const Real back = select(large, Real(0x1p600), select(small, Real(0x1p-600), Real(1)));
     const Real h = corrected_hypotenuse<Real>(x * scale, y * scale) * back;
     const Real finite = select(y <= x * Real(Limits::epsilon() / 4), x, h);
-    return select((abs_a > Real(Limits::max())) | (abs_b > Real(Limits::max())), Real(Limits::infinity()), finite);
+    const auto a_is_infinite = abs_a > Real(Limits::max());
+    const auto b_is_infinite = abs_b > Real(Limits::max());
+    return select(a_is_infinite | b_is_infinite, Real(Limits::infinity()), finite);
 }
 
 }  // namespace pol

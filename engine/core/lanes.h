@@ -102,9 +102,9 @@ private:
 };
 
 template <class Real>
-constexpr bool is_lanes = false;
+inline constexpr bool is_lanes = false;
 template <int width>
-constexpr bool is_lanes<Lanes<width>> = true;
+inline constexpr bool is_lanes<Lanes<width>> = true;
 
 /// select() of a single number, so that a formula is written once.
 template <class Real>
