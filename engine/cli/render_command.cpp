@@ -65,6 +65,8 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
     RenderOutcome outcome;
     outcome.open_ended = open_ended;
     bool goal_told = request.quiet;
+    std::optional<ErrorReport> coarser;  // the last one, of a residual that was not fine enough
+    double truncation_share = 0.0;
     if (request.error) {
         const double residual = residual_for(*plan, cheapest_goal(*plan, *request.error));
         if (residual < scene.render.residual_in_force()) POL_TRY_DONE(refine(scene, plan, residual, request.quiet));
@@ -72,6 +74,7 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
     for (;;) {
         RenderOptions options;
         options.stop.error = request.error;
+        options.stop.truncation_share = truncation_share;
         if (request.seconds) options.stop.seconds = *request.seconds - outcome.seconds;
         renderer.start(plan, options);
         RenderProgress& progress = outcome.progress;
@@ -97,8 +100,17 @@ Result<RenderOutcome> render_to_stop(Renderer& renderer, const RenderRequest& re
         if (progress.reason == StopReason::memory) throw std::bad_alloc();
         if (progress.reason != StopReason::truncation) return outcome;
 
-        const auto finer = finer_residual(outcome.reports.back(), scene.render.residual_in_force(), *progress.goal);
-        if (!finer || (request.seconds && outcome.seconds >= *request.seconds)) return outcome;
+        if (request.seconds && outcome.seconds >= *request.seconds) return outcome;
+        const ErrorReport& last = outcome.reports.back();
+        if (const auto share = coarser ? share_needed(*coarser, last, *progress.goal) : std::nullopt;
+            share && *share > truncation_share) {
+            truncation_share = *share;
+            goal_told = request.quiet;  // there is another one
+            continue;
+        }
+        const auto finer = finer_residual(last, scene.render.residual_in_force(), *progress.goal);
+        if (!finer) return outcome;
+        coarser = last;
         POL_TRY_DONE(refine(scene, plan, *finer, request.quiet));
     }
 }

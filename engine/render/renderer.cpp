@@ -53,7 +53,10 @@ Renderer::~Renderer() {
 
 Generation Renderer::start(std::shared_ptr<const Plan> plan, const RenderOptions& options) {
     std::optional<ErrorGoal> goal;
-    if (options.stop.error) goal = cheapest_goal(*plan, *options.stop.error);
+    if (options.stop.error) {
+        goal = cheapest_goal(*plan, *options.stop.error);
+        goal->truncation_share = std::max(goal->truncation_share, options.stop.truncation_share);
+    }
     Generation generation = 0;
     {
         const std::scoped_lock lock(mutex_);

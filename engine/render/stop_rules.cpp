@@ -65,4 +65,12 @@ std::optional<double> finer_residual(const ErrorReport& report, double residual,
     return finer;
 }
 
+std::optional<double> share_needed(const ErrorReport& before, const ErrorReport& now, const ErrorGoal& goal) {
+    constexpr double fell = 0.9;
+    constexpr double margin = 1.5;
+    const double share = margin * now.error.truncation / goal.error;
+    const bool is_stuck = now.error.truncation > fell * before.error.truncation;
+    return is_stuck && share <= 0.5 ? std::optional(share) : std::nullopt;
+}
+
 }  // namespace pol

@@ -21,6 +21,8 @@ struct StopRules {
     /// go where they take most of the error away (SampleRound), so that the picture does not depend on threads and
     /// clocks.
     std::optional<double> error;
+    /// Truncation gets at least this share of `error`, at most half: where no residual brings it lower (share_needed).
+    double truncation_share = 0.0;
 };
 
 enum class StopReason {
@@ -86,5 +88,10 @@ std::optional<ErrorPart> last_to_fall(const std::vector<ErrorReport>& reports, c
 /// factor. Empty if no residual will: the light is missing for another reason (a depth limit, tails that count as
 /// bounds, failed samples, a black picture of mode point).
 std::optional<double> finer_residual(const ErrorReport& report, double residual, const ErrorGoal& goal);
+
+/// Share of the error that truncation must get if a finer residual did not bring it lower: random tails that did not
+/// come to an end leave light untraced whatever the residual. Such samples are rare, and the next pixels may have more
+/// of them: half as much again as `now`. Empty if it fell, or half of the error is not enough.
+std::optional<double> share_needed(const ErrorReport& before, const ErrorReport& now, const ErrorGoal& goal);
 
 }  // namespace pol

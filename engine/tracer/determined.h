@@ -29,10 +29,11 @@ inline bool maps_are_determined(const WavelengthGroup& group, const TraceResult&
     return (is_dark && found.nodes >= dark_budget) || is_determined(found.seen, missing);
 }
 
-/// Whether a sample with so much open is followed further, if its budget allows.
-inline bool goes_on(const TraceTask& task, const WavelengthGroup& group, const TraceResult& found, double open) {
-    if (open > task.residual || !task.until_determined) return open > task.residual;
-    return !maps_are_determined(group, found, open);
+/// Whether a sample with so much open is followed further, if its budget allows. `residual` and `until_determined` as
+/// TraceTask has them.
+inline bool is_followed(double residual, bool until_determined, const WavelengthGroup& group, const TraceResult& found,
+                        double open) {
+    return open > residual || (until_determined && !maps_are_determined(group, found, open));
 }
 
 }  // namespace pol

@@ -205,11 +205,10 @@ template <bool absorbing>
 bool LaneTracer<absorbing>::goes_on(const LaneBranches& branches, int lane, int facet, std::size_t sample) {
     const double weight = branches.weight[lane];
     const RenderSettings& settings = plan_.settings;
-    const std::uint32_t nodes = results_[sample].nodes;
-    const bool is_above = weight > settings.residual_in_force();
-    if (is_above || (settings.until_determined() && !maps_are_determined(*group_, results_[sample], weight))) {
-        if (nodes < static_cast<std::uint32_t>(settings.node_budget.value())) return true;
-        if (is_above) {
+    const double residual = settings.residual_in_force();
+    if (is_followed(residual, settings.until_determined(), *group_, results_[sample], weight)) {
+        if (results_[sample].nodes < static_cast<std::uint32_t>(settings.node_budget.value())) return true;
+        if (weight > residual) {
             hand_over(branches, lane, facet, sample);
             return false;
         }

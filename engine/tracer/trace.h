@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel: one sample of one pixel, followed backward as a tree that is cut by energy (CUTTING.md 1 and 2).
-//
 // Every open branch carries the matrix that takes light on it to the camera, and the weight w = tr(M^H M)/2 of that
 // matrix. At a lossless interface the weights of the children add to the parent's, so at every moment
 //     resolved + absorbed + open = 1,
-// and the light still missing from the pixel is positive semidefinite with trace at most open * L_max. A branch that is
-// surely on its way to a lamp, the background or a black surface ends as soon as it is born; of the others the heaviest
-// is followed first (NodeQueue) until the open weight falls below the target, or further, until the maps are determined
-// (determined.h). A convex glass stone never has more than one. Where the node budget ends above the target, one random
-// path, chosen with probability proportional to weight, estimates the rest without bias.
-//
-// The picture and its explanation run this same function with different observers (tracer/observers.h).
+// and the light still missing from the pixel is positive semidefinite with trace at most open * L_max. A branch that
+// surely goes to a lamp, the background or a black surface ends when it is born; of the others (one at most in a convex
+// glass stone) the heaviest is followed first (NodeQueue) as long as determined.h says. Where the budget ends above the
+// residual, one random path, chosen with probability proportional to weight, estimates the rest without bias. Picture
+// and explanation run this same function, with different observers (tracer/observers.h).
 #pragma once
 
 #include <algorithm>
@@ -78,9 +75,10 @@ private:
         const auto budget = static_cast<std::uint32_t>(task.node_budget);
         LeafReason cut = LeafReason::residual;
         std::uint32_t asked = 0;
-        while (going && goes_on(task, *group_, result_, node.weight + queue_.open_weight())) {
+        const auto open_weight = [&] { return node.weight + queue_.open_weight(); };
+        while (going && is_followed(task.residual, task.until_determined, *group_, result_, open_weight())) {
             if (result_.nodes >= budget) {
-                if (node.weight + queue_.open_weight() > task.residual) cut = LeafReason::node_budget;
+                if (open_weight() > task.residual) cut = LeafReason::node_budget;
                 break;
             }
             if (result_.nodes - asked >= nodes_between_questions) {

@@ -42,8 +42,8 @@ constexpr double energy_tolerance = 1e-9;
 
 /// Branches after which a random tail is given up; its weight is then residual. Light that total reflection traps has
 /// no end: the tail is work like the head, and gets as much of it again. A small budget leaves the tail enough to come
-/// out of what it can leave: in a ball within a ball, not on one axis, 256 branches do not bring out 3e-4 of the light,
-/// which no residual would then bring below an error of 1e-2 (tests/bench scene nested-balls); 4096 do.
+/// out of nearly all that it can leave: a ball within a ball, not on one axis, keeps some light for 15 000 branches. At
+/// four samples the untraced light of that picture bounds its error by 7.0e-3 with 256 branches, 3.8e-3 with 4096.
 constexpr int tail_limit(int node_budget) {
     return std::clamp(node_budget, 1 << 12, 1 << 16);
 }

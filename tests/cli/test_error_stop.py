@@ -70,6 +70,16 @@ class ErrorStop(ProgramTest):
             self.succeed("maps", f"{name}.exr", "--map", "dop", "-o", f"{name}.png")
         self.assertEqual((self.folder / "out.png").read_bytes(), (self.folder / "again.png").read_bytes())
 
+    def test_light_that_no_residual_brings_out_gets_its_share_of_the_error(self):
+        done, said = self.render(SCENES / "bench/nested-balls.yaml", "--size", "128x128", "--error", "0.03")
+        rule = said["error_rule"]
+        self.assertEqual(said["stop_reason"], "error")
+        self.assertGreater(said["residual_max"], 10 * said["residual_target"], "tails that came to no end")
+        self.assertGreater(rule["truncation_share"], 0.05)
+        self.assertLessEqual(rule["truncation_share"], 0.5)
+        self.assertLessEqual(said["error"]["truncation"], 0.03 * rule["truncation_share"])
+        self.assertLessEqual(said["error"]["truncation"] + rule["passes"][-1]["sampling_limit"], 0.03)
+
     def test_in_mode_point_the_bound_is_the_error(self):
         done, said = self.render(*GLASS, "--mode", "point", "--residual", "0.5", "--error", "0.1")
         self.assertEqual((said["mode"], said["spp"], said["error"]["sampling"]), ("point", 1, 0.0))

@@ -306,6 +306,14 @@ TEST(ErrorStop, ThePartThatStayedTooLargeTheLongestFellLast) {
     EXPECT_EQ(last_to_fall({both, noisy}, half), std::nullopt);
 }
 
+// Half as much again as what does not fall, if half of the error is enough for it.
+TEST(ErrorStop, WhatNoResidualBringsLowerGetsTheShareThatItNeeds) {
+    const ErrorGoal goal{0.03, 0.01};
+    EXPECT_DOUBLE_EQ(share_needed(report(4, 0.004, 0.1), report(4, 0.004, 0.1), goal).value(), 0.2);
+    EXPECT_FALSE(share_needed(report(4, 0.004, 0.1), report(4, 0.003, 0.1), goal)) << "it falls";
+    EXPECT_FALSE(share_needed(report(4, 0.012, 0.1), report(4, 0.012, 0.1), goal)) << "0.018 of 0.03";
+}
+
 TEST(ErrorStop, AFinerResidualIsInProportionAndHasAnEnd) {
     EXPECT_DOUBLE_EQ(*finer_residual(report(1, 0.5, 0.1), 1e-3, half), 0.5e-4);
     EXPECT_FALSE(finer_residual(report(1, 0.5, 0.1), 0.0, half)) << "the depth alone cuts";
